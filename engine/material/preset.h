@@ -1,0 +1,36 @@
+#pragma once
+// Preset files: a folder or one .vamp zip with material.json (schema, name, tags, size, edit layer, provenance,
+// licence), tables.bin (the fit, checksummed, little-endian) and thumbnail.png. Saving is atomic.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/material/edit_layer.h"
+
+namespace vamp {
+
+struct Preset {
+  std::string name;
+  std::vector<std::string> tags;
+  std::string provenance, licence;
+  SpmmPtr fit;
+  EditLayer edits;
+  std::vector<std::byte> thumbnail_png;  // may be empty
+};
+
+// What a library shows without reading the tables.
+struct PresetInfo {
+  std::filesystem::path path;
+  std::string name;
+  std::vector<std::string> tags;
+  vec2 size_mm{0, 0};
+  std::vector<std::byte> thumbnail_png;
+};
+
+Result<Preset> load_preset(const std::filesystem::path& path);
+Result<PresetInfo> load_preset_info(const std::filesystem::path& path);
+
+// `path` ends in .vamp: one zip; else a folder. The old preset stays whole until the new one is complete.
+Status save_preset(const Preset& preset, const std::filesystem::path& path);
+
+}  // namespace vamp
