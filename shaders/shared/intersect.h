@@ -1,0 +1,106 @@
+// Ray against box and triangle: one text for the kernels and for picking on the CPU, so that both give the same answer.
+// In GLSL include after the version line; in C++ the names are in vamp::.
+//
+// A node of the tree is two uvec4, one for each child, with the child's box on a 16-bit grid over the scene:
+//   x: lo.x | lo.y << 16   y: lo.z | hi.x << 16   z: hi.y | hi.z << 16   w: int, the child
+// child >= 0: inner node `child`, at uvec4 2 * child and 2 * child + 1;
+// child < 0: a leaf, ~child = first << 3 | (count - 1), triangles first .. first + count - 1 in the order of the tree.
+// A triangle is three vec4: vertex 0 (w: part), vertex 1 (w: flags), vertex 2 (w: 0).
+#ifndef VAMP_SHADERS_SHARED_INTERSECT_H
+#define VAMP_SHADERS_SHARED_INTERSECT_H
+
+#ifdef __cplusplus
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#define VAMP_INTERSECT_FN inline
+#define VAMP_PRECISE
+namespace vamp {
+using glm::max;
+using glm::min;
+using glm::uint;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+#else
+#define VAMP_INTERSECT_FN
+#define VAMP_PRECISE precise
+#endif
+
+#define BVH_STACK_SIZE 40
+// Flags in the w of vertex 1 (a float that holds a small integer).
+#define TRIANGLE_ALPHA_MASK 1
+#define TRIANGLE_DOUBLE_SIDED 2
+
+VAMP_INTERSECT_FN vec3 isect_cross(vec3 a, vec3 b) {
+  VAMP_PRECISE vec3 c = vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+  return c;
+}
+
+VAMP_INTERSECT_FN float isect_dot(vec3 a, vec3 b) {
+  VAMP_PRECISE float d = a.x * b.x + a.y * b.y + a.z * b.z;
+  return d;
+}
+
+// 1 / d without infinities: components below 1e-18 (the ray is a unit vector) count as 1e-18 with their sign.
+VAMP_INTERSECT_FN float bvh_inverse(float d) {
+  if (d >= 0.0f) return 1.0f / max(d, 1e-18f);
+  return 1.0f / min(d, -1e-18f);
+}
+
+// Once for each ray: t of a plane at grid coordinate q is q * factor + offset.
+VAMP_INTERSECT_FN vec3 bvh_ray_factor(vec3 direction, vec3 grid_scale) {
+  VAMP_PRECISE vec3 f = vec3(bvh_inverse(direction.x), bvh_inverse(direction.y), bvh_inverse(direction.z)) * grid_scale;
+  return f;
+}
+VAMP_INTERSECT_FN vec3 bvh_ray_offset(vec3 origin, vec3 direction, vec3 grid_origin) {
+  VAMP_PRECISE vec3 o =
+      (grid_origin - origin) * vec3(bvh_inverse(direction.x), bvh_inverse(direction.y), bvh_inverse(direction.z));
+  return o;
+}
+
+// Entry and exit of the ray in a child's box, cut to [t_min, t_max]; a hit where entry <= exit. t_min >= 0.
+// Exact enough never to miss: the grid boxes stand at least half a cell off the triangles, which covers rounding in
+// proportion to the scene, and the exit is stretched by 2^-19, which covers rounding in proportion to the distance.
+VAMP_INTERSECT_FN vec2 bvh_slab(uvec4 child, vec3 factor, vec3 offset, float t_min, float t_max) {
+  vec3 lo = vec3(float(child.x & 0xffffu), float(child.x >> 16), float(child.y & 0xffffu));
+  vec3 hi = vec3(float(child.y >> 16), float(child.z & 0xffffu), float(child.z >> 16));
+  VAMP_PRECISE vec3 a = lo * factor + offset;
+  VAMP_PRECISE vec3 b = hi * factor + offset;
+  vec3 near = min(a, b);
+  vec3 far = max(a, b);
+  float entry = max(max(near.x, near.y), max(near.z, t_min));
+  VAMP_PRECISE float exit = min(min(min(far.x, far.y), far.z) * 1.0000019f, t_max);
+  return vec2(entry, exit);
+}
+
+// Both sides of a triangle; t, u, v and 1 for a hit with t_min < t < t_max, else 0 in w. The point is
+// (1 - u - v) * v0 + u * v1 + v * v2. Watertight: the test of an edge gives opposite numbers from its two sides (edge
+// functions of Pluecker coordinates about the ray's origin, in the form of Embree's robust mode, cross(b - a, b + a)).
+VAMP_INTERSECT_FN vec4 intersect_triangle(vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 v2, float t_min,
+                                          float t_max) {
+  VAMP_PRECISE vec3 a = v0 - origin;
+  VAMP_PRECISE vec3 b = v1 - origin;
+  VAMP_PRECISE vec3 c = v2 - origin;
+  VAMP_PRECISE vec3 ca = a - c;
+  VAMP_PRECISE vec3 ab = b - a;
+  VAMP_PRECISE vec3 bc = c - b;
+  VAMP_PRECISE float u = isect_dot(isect_cross(a + c, ca), direction);
+  VAMP_PRECISE float v = isect_dot(isect_cross(b + a, ab), direction);
+  VAMP_PRECISE float w = isect_dot(isect_cross(c + b, bc), direction);
+  VAMP_PRECISE float sum = u + v + w;
+  vec3 n = isect_cross(ab, ca);
+  VAMP_PRECISE float den = isect_dot(n, direction);
+  bool inside = (min(u, min(v, w)) >= 0.0f || max(u, max(v, w)) <= 0.0f) && sum != 0.0f && den != 0.0f;
+  VAMP_PRECISE float t = isect_dot(n, a) / (den != 0.0f ? den : 1.0f);
+  VAMP_PRECISE float inverse = 1.0f / (sum != 0.0f ? sum : 1.0f);
+  bool hit = inside && t > t_min && t < t_max;
+  return vec4(t, u * inverse, v * inverse, hit ? 1.0f : 0.0f);
+}
+
+#ifdef __cplusplus
+}  // namespace vamp
+#endif
+#endif
