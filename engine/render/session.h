@@ -1,0 +1,77 @@
+#pragma once
+// The interactive renderer: a thread of its own that refines the picture tile by tile, one tile in flight, and takes a
+// new project between two tiles. Nothing here waits for the GPU on the caller's thread.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/project/project.h"
+
+namespace vamp {
+
+namespace gpu {
+class Device;
+}
+
+// What the renderer says of itself.
+struct RenderStatus {
+  int width = 0, height = 0;
+  uint32_t samples = 0;        // of the least refined pixel
+  double seconds = 0;          // of rendering since the last restart
+  double ms_per_sample = 0;    // for the whole picture, recent median
+  float noise = -1;            // estimated relative noise, RMS over the picture; -1: not known yet
+  std::string restart_reason;  // "roughness of grain in cluster 7": what the last restart was for
+  uint64_t restarted_pixels = 0;
+  uint64_t bytes_uploaded = 0;  // by the last edit
+  uint64_t gpu_bytes = 0;
+  double mrays_per_second = 0;
+  bool finished = false;  // max_samples reached
+  std::string device;
+  std::string error;  // a lost device: the session has stopped, the document is safe
+};
+
+struct Pick {
+  int part = -1;  // -1: background
+  int material = -1;
+  int cluster = -1;
+  vec2 uv{0, 0};
+  vec3 position{0, 0, 0};
+  float distance = 0;
+};
+
+class RenderSession {
+ public:
+  RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height);
+  ~RenderSession();
+  RenderSession(const RenderSession&) = delete;
+  RenderSession& operator=(const RenderSession&) = delete;
+
+  // Takes the project at the next tile; `reason` is shown if something restarts. Cheap: call it on every mouse move.
+  void set_project(std::shared_ptr<const Project> project, std::string reason);
+  void resize(int width, int height);
+  void pause(bool paused);
+
+  RenderStatus status() const;
+
+  // Number that grows whenever the picture changed.
+  uint64_t picture_version() const;
+  // Copies the displayed picture (RGBA8, sRGB, row 0 on top) if it is newer than `version`, and updates `version`.
+  bool copy_picture(std::vector<uint32_t>& rgba, int& width, int& height, uint64_t& version) const;
+
+  // What lies under a pixel, by a CPU ray against the same hierarchy. Answers at once.
+  Pick pick(float x, float y) const;
+
+  // Part (low 16 bits) and cluster (high 16 bits) + 1 of each pixel's centre, 0 where nothing is; for outlines. Empty
+  // until known; `version` as in copy_picture.
+  bool copy_ids(std::vector<uint32_t>& ids, int& width, int& height, uint64_t& version) const;
+
+  // The linear accumulators of the picture so far, as a fresh command-line render writes them (RGBA float).
+  std::vector<float> linear_picture(int& width, int& height, uint32_t& samples) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vamp
