@@ -1,13 +1,13 @@
 #include "engine/core/json.h"
 
-#include "engine/core/check.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>
+
+#include "engine/core/check.h"
 
 namespace vamp {
 namespace {
@@ -83,6 +83,7 @@ std::string print_json(const Json& json) {
 
 Json json_number(float value) {
   CHECK(std::isfinite(value));
+  if (value == 0 && std::signbit(value)) return -0.0;
   if (value == std::trunc(value) && std::abs(value) < 1e7f) return static_cast<int64_t>(value);
   return std::strtod(fmt::format("{}", value).c_str(), nullptr);
 }
@@ -133,24 +134,29 @@ size_t JsonReader::size(size_t limit) const {
 
 std::vector<std::string> JsonReader::keys(size_t limit) const {
   std::vector<std::string> names;
-  if (value_ != nullptr && !value_->is_object()) refuse("an object", value_->type_name());
+  if (value_ != nullptr && !value_->is_object())
+    refuse("an object", value_->type_name());
   else if (size(limit) > 0)
     for (const auto& item : value_->items()) names.push_back(item.key());
   return names;
 }
 
 float JsonReader::number(float low, float high) const {
+  return static_cast<float>(real(static_cast<double>(low), static_cast<double>(high)));
+}
+
+double JsonReader::real(double low, double high) const {
   if (value_ == nullptr) return low;
   if (!value_->is_number()) {
     refuse("a number", value_->type_name());
     return low;
   }
   const double value = value_->get<double>();
-  if (!(value >= static_cast<double>(low) && value <= static_cast<double>(high))) {
-    refuse(fmt::format("a number from {} to {}", low, high), fmt::format("{}", value));
+  if (!(value >= low && value <= high)) {
+    refuse(fmt::format("a number from {:g} to {:g}", low, high), fmt::format("{}", value));
     return low;
   }
-  return static_cast<float>(value);
+  return value;
 }
 
 int64_t JsonReader::integer(int64_t low, int64_t high) const {

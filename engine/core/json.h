@@ -1,14 +1,13 @@
 #pragma once
 // JSON from files that may be damaged or hostile, read strictly; and written so that it diffs well.
-#include "engine/core/error.h"
-
-#include <nlohmann/json.hpp>
-
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/core/error.h"
 
 namespace vamp {
 
@@ -38,6 +37,7 @@ class JsonReader {
   std::vector<std::string> keys(size_t limit) const;
 
   float number(float low, float high) const;
+  double real(double low, double high) const;  // where a float's digits do not do: units that are converted
   int64_t integer(int64_t low, int64_t high) const;
   bool boolean() const;
   std::string text(size_t limit = 4096) const;
