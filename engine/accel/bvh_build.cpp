@@ -1,0 +1,343 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <thread>
+
+#include "engine/accel/bvh.h"
+#include "engine/core/check.h"
+#include "engine/scene/scene.h"
+#include "shaders/shared/intersect.h"
+
+namespace vamp {
+namespace {
+
+constexpr int kBins = 16;
+constexpr uint32_t kLeafSize = 4;
+constexpr int kMaxDepth = BVH_STACK_SIZE - 1;
+constexpr uint32_t kParallelSize = 40000;  // below this a task costs more than it saves
+
+// Four floats in one register; lane 3 is carried along and ignored.
+using Lanes = float __attribute__((vector_size(16)));
+
+Lanes lanes_min(Lanes a, Lanes b) { return a < b ? a : b; }
+Lanes lanes_max(Lanes a, Lanes b) { return a > b ? a : b; }
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+struct Box {
+  Lanes lo = {kInfinity, kInfinity, kInfinity, kInfinity};
+  Lanes hi = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+
+  void extend(Lanes p) {
+    lo = lanes_min(lo, p);
+    hi = lanes_max(hi, p);
+  }
+  void extend(const Box& b) {
+    lo = lanes_min(lo, b.lo);
+    hi = lanes_max(hi, b.hi);
+  }
+  float half_area() const {
+    const Lanes s = hi - lo;
+    return s[0] >= 0 ? s[0] * s[1] + s[1] * s[2] + s[2] * s[0] : 0.0f;
+  }
+};
+
+// A triangle while it is being sorted into the tree.
+struct Item {
+  Box box;
+  Lanes centroid;  // lo + hi: twice the centre
+  uint32_t triangle;
+};
+
+struct BuildNode {
+  Box box;
+  uint32_t first = 0, count = 0;  // count > 0: a leaf
+  uint32_t left = 0, right = 0;
+};
+
+struct Split {
+  int axis = -1;
+  int bin = 0;
+  float cost = kInfinity;
+};
+
+// How many more levels `count` triangles need when every split halves them.
+int levels_needed(uint32_t count) {
+  return count <= kLeafSize ? 0 : std::bit_width((count + kLeafSize - 1) / kLeafSize - 1);
+}
+
+class Builder {
+ public:
+  Builder(std::vector<Item>& items, int threads) : items_(items), nodes_(2 * items.size()), spare_(threads - 1) {}
+
+  void build() {
+    next_ = 1;
+    build_node(0, 0, static_cast<uint32_t>(items_.size()), 0);
+  }
+  const std::vector<BuildNode>& nodes() const { return nodes_; }
+
+ private:
+  void build_node(uint32_t index, uint32_t first, uint32_t count, int depth) {
+    BuildNode& node = nodes_[index];
+    Box centroids;
+    for (uint32_t i = first; i < first + count; ++i) {
+      node.box.extend(items_[i].box);
+      centroids.extend(items_[i].centroid);
+    }
+    // The median halves, so it is taken as soon as nothing else would keep the tree within the stack of the kernels.
+    const bool only_median = levels_needed(count) >= kMaxDepth - depth;
+    const Split split = only_median ? Split{} : best_split(first, count, centroids);
+    // Costs in ray-triangle tests; a step down costs as much as one.
+    const float leaf_cost = static_cast<float>(count) * node.box.half_area();
+    if (count <= kLeafSize && (count == 1 || split.axis < 0 || split.cost + node.box.half_area() >= leaf_cost)) {
+      node.first = first;
+      node.count = count;
+      return;
+    }
+    const uint32_t middle =
+        split.axis < 0 ? median(first, count, centroids) : partition(first, count, centroids, split);
+    node.left = next_.fetch_add(2);
+    node.right = node.left + 1;
+    const uint32_t left = node.left;
+    const auto build_left = [=, this] { build_node(left, first, middle - first, depth + 1); };
+    if (count > kParallelSize && take_thread()) {
+      std::future<void> other = std::async(std::launch::async, build_left);
+      build_node(left + 1, middle, first + count - middle, depth + 1);
+      other.get();
+      ++spare_;
+    } else {
+      build_left();
+      build_node(left + 1, middle, first + count - middle, depth + 1);
+    }
+  }
+
+  bool take_thread() {
+    if (spare_.fetch_sub(1) > 0) return true;
+    ++spare_;
+    return false;
+  }
+
+  // Bins of centroids: bin = (centroid - lo) * scale, the same arithmetic when counting and when partitioning.
+  static Lanes bin_scale(const Box& centroids) {
+    Lanes scale = {};
+    for (int k = 0; k < 3; ++k) {
+      const float size = centroids.hi[k] - centroids.lo[k];
+      const float s = static_cast<float>(kBins) * 0.9999f / size;
+      scale[k] = size > 0 && std::isfinite(s) ? s : 0.0f;
+    }
+    return scale;
+  }
+  static int bin_of(const Item& item, const Box& centroids, Lanes scale, int axis) {
+    const Lanes place = (item.centroid - centroids.lo) * scale;
+    return std::min(static_cast<int>(place[axis]), kBins - 1);
+  }
+
+  Split best_split(uint32_t first, uint32_t count, const Box& centroids) const {
+    const Lanes scale = bin_scale(centroids);
+    std::array<std::array<Box, kBins>, 3> boxes;
+    std::array<std::array<uint32_t, kBins>, 3> counts{};
+    for (uint32_t i = first; i < first + count; ++i) {
+      const Lanes place = (items_[i].centroid - centroids.lo) * scale;
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const size_t bin = static_cast<size_t>(std::min(static_cast<int>(place[axis]), kBins - 1));
+        boxes[axis][bin].extend(items_[i].box);
+        ++counts[axis][bin];
+      }
+    }
+    Split best;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      if (!(scale[axis] > 0)) continue;
+      std::array<float, kBins> right_cost{};
+      Box right;
+      uint32_t right_count = 0;
+      for (size_t bin = kBins - 1; bin > 0; --bin) {
+        right.extend(boxes[axis][bin]);
+        right_count += counts[axis][bin];
+        right_cost[bin] = static_cast<float>(right_count) * right.half_area();
+      }
+      Box left;
+      uint32_t left_count = 0;
+      for (size_t bin = 1; bin < kBins; ++bin) {
+        left.extend(boxes[axis][bin - 1]);
+        left_count += counts[axis][bin - 1];
+        if (left_count == 0 || left_count == count) continue;
+        const float cost = static_cast<float>(left_count) * left.half_area() + right_cost[bin];
+        if (cost < best.cost) best = {static_cast<int>(axis), static_cast<int>(bin), cost};
+      }
+    }
+    return best;
+  }
+
+  uint32_t partition(uint32_t first, uint32_t count, const Box& centroids, const Split& split) {
+    const Lanes scale = bin_scale(centroids);
+    const auto begin = items_.begin() + first;
+    const auto middle = std::partition(
+        begin, begin + count, [&](const Item& item) { return bin_of(item, centroids, scale, split.axis) < split.bin; });
+    return static_cast<uint32_t>(middle - items_.begin());
+  }
+
+  uint32_t median(uint32_t first, uint32_t count, const Box& centroids) {
+    const Lanes size = centroids.hi - centroids.lo;
+    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
+    const auto begin = items_.begin() + first;
+    std::nth_element(begin, begin + count / 2, begin + count, [&](const Item& a, const Item& b) {
+      return a.centroid[axis] != b.centroid[axis] ? a.centroid[axis] < b.centroid[axis] : a.triangle < b.triangle;
+    });
+    return first + count / 2;
+  }
+
+  std::vector<Item>& items_;
+  std::vector<BuildNode> nodes_;
+  std::atomic<uint32_t> next_{1};
+  std::atomic<int> spare_;
+};
+
+// The 16-bit grid over the scene, with a cell to spare on each side.
+class Grid {
+ public:
+  explicit Grid(const Bounds& bounds) {
+    const vec3 size = bounds.size();
+    const double largest =
+        std::max({static_cast<double>(size.x), static_cast<double>(size.y), static_cast<double>(size.z), 1e-20});
+    for (int k = 0; k < 3; ++k) {
+      // A flat scene still gets cells, small against what rays can resolve.
+      const double extent = std::max(static_cast<double>(size[k]), largest * 1e-3);
+      const double cell = extent / 65533.0;
+      const double lo = static_cast<double>(bounds.lo[k]);
+      origin[k] = std::nextafter(static_cast<float>(lo - cell), -kInfinity);
+      const double span = std::max(lo + extent, static_cast<double>(bounds.hi[k])) - static_cast<double>(origin[k]);
+      scale[k] = std::nextafter(static_cast<float>(span / 65533.0), kInfinity);
+    }
+  }
+
+  // At least half a cell of margin on every side: see bvh_slab().
+  uvec4 child(const Box& box, int32_t reference) const {
+    std::array<uint32_t, 3> lo{};
+    std::array<uint32_t, 3> hi{};
+    for (int k = 0; k < 3; ++k) {
+      const size_t i = static_cast<size_t>(k);
+      lo[i] = static_cast<uint32_t>(std::clamp(std::floor(place(box.lo[k], k) - 0.5), 0.0, 65535.0));
+      hi[i] = static_cast<uint32_t>(std::clamp(std::ceil(place(box.hi[k], k) + 0.5), 0.0, 65535.0));
+    }
+    return uvec4(lo[0] | lo[1] << 16, lo[2] | hi[0] << 16, hi[1] | hi[2] << 16, static_cast<uint32_t>(reference));
+  }
+
+  vec3 origin{0};
+  vec3 scale{1};
+
+ private:
+  double place(float x, int k) const {
+    return (static_cast<double>(x) - static_cast<double>(origin[k])) / static_cast<double>(scale[k]);
+  }
+};
+
+int32_t leaf_reference(uint32_t first, uint32_t count) { return ~static_cast<int32_t>(first << 3 | (count - 1)); }
+
+// Writes the tree depth-first, so that the layout does not depend on how threads raced.
+class Flattener {
+ public:
+  Flattener(const std::vector<BuildNode>& nodes, const Grid& grid, Bvh& bvh) : nodes_(nodes), grid_(grid), bvh_(bvh) {}
+
+  void flatten_root(uint32_t count) {
+    const BuildNode& root = nodes_[0];
+    if (root.count == 0) {
+      flatten(root, 1);
+      return;
+    }
+    // So few triangles that the root would be a leaf: both children show them, half each; a single one stands twice.
+    const uint32_t left = std::max(count / 2, 1u);
+    const uint32_t right = std::max(count - left, 1u);
+    bvh_.nodes = {grid_.child(root.box, leaf_reference(0, left)),
+                  grid_.child(root.box, leaf_reference(count - right, right))};
+    bvh_.depth = 1;
+  }
+
+ private:
+  void flatten(const BuildNode& node, uint32_t depth) {
+    const size_t at = bvh_.nodes.size();
+    bvh_.nodes.resize(at + 2);
+    bvh_.depth = std::max(bvh_.depth, depth);
+    write(at, nodes_[node.left], depth);
+    write(at + 1, nodes_[node.right], depth);
+  }
+  void write(size_t at, const BuildNode& child, uint32_t depth) {
+    const int32_t reference =
+        child.count > 0 ? leaf_reference(child.first, child.count) : static_cast<int32_t>(bvh_.nodes.size() / 2);
+    bvh_.nodes[at] = grid_.child(child.box, reference);
+    if (child.count == 0) flatten(child, depth + 1);
+  }
+
+  const std::vector<BuildNode>& nodes_;
+  const Grid& grid_;
+  Bvh& bvh_;
+};
+
+// A tree that every ray misses: a triangle without area in both leaves.
+Bvh empty_bvh() {
+  Bvh bvh;
+  bvh.triangles.assign(3, vec4(0));
+  bvh.nodes.assign(2, uvec4(0, 0, 0, static_cast<uint32_t>(leaf_reference(0, 1))));
+  bvh.depth = 1;
+  return bvh;
+}
+
+}  // namespace
+
+Bvh build_bvh(std::span<const vec3> positions, std::span<const uvec3> triangles,
+              std::span<const uint32_t> triangle_part, std::span<const uint32_t> part_flags) {
+  if (triangles.empty()) return empty_bvh();
+  CHECK(triangles.size() < (1u << 28) && (triangle_part.empty() || triangle_part.size() == triangles.size()));
+
+  Bvh bvh;
+  std::vector<Item> items(triangles.size());
+  for (uint32_t i = 0; i < items.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      CHECK(triangles[i][k] < positions.size());
+      const vec3& p = positions[triangles[i][k]];
+      CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+      items[i].box.extend(Lanes{p.x, p.y, p.z, 0.0f});
+    }
+    items[i].centroid = items[i].box.lo + items[i].box.hi;
+    items[i].triangle = i;
+  }
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  Builder builder(items, threads);
+  builder.build();
+  const Box& root = builder.nodes()[0].box;
+  bvh.bounds.lo = vec3(root.lo[0], root.lo[1], root.lo[2]);
+  bvh.bounds.hi = vec3(root.hi[0], root.hi[1], root.hi[2]);
+
+  const Grid grid(bvh.bounds);
+  bvh.grid_origin = grid.origin;
+  bvh.grid_scale = grid.scale;
+  bvh.nodes.reserve(items.size());
+  Flattener(builder.nodes(), grid, bvh).flatten_root(static_cast<uint32_t>(items.size()));
+  CHECK(bvh.depth <= kMaxDepth);
+
+  bvh.order.reserve(items.size());
+  bvh.triangles.reserve(3 * items.size());
+  for (const Item& item : items) {
+    const uvec3 t = triangles[item.triangle];
+    const uint32_t part = triangle_part.empty() ? 0 : triangle_part[item.triangle];
+    const uint32_t flags = part < part_flags.size() ? part_flags[part] : 0;
+    bvh.order.push_back(item.triangle);
+    bvh.triangles.emplace_back(positions[t.x], static_cast<float>(part));
+    bvh.triangles.emplace_back(positions[t.y], static_cast<float>(flags));
+    bvh.triangles.emplace_back(positions[t.z], 0.0f);
+  }
+  return bvh;
+}
+
+Bvh build_bvh(const Scene& scene) {
+  std::vector<uint32_t> flags;
+  for (const Part& part : scene.parts)
+    flags.push_back((part.material.alpha_mode == AlphaMode::mask ? TRIANGLE_ALPHA_MASK : 0u) |
+                    (part.material.double_sided ? TRIANGLE_DOUBLE_SIDED : 0u));
+  return build_bvh(scene.positions, scene.triangles, scene.triangle_part, flags);
+}
+
+}  // namespace vamp
