@@ -12,6 +12,8 @@ template <class Visit>
 void walk(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max, Visit visit) {
   const vec3 factor = bvh_ray_factor(direction, bvh.grid_scale);
   const vec3 offset = bvh_ray_offset(origin, direction, bvh.grid_origin);
+  const vec3 side = ray_side(direction);
+  const vec3 above = ray_above(direction);
   std::array<int32_t, BVH_STACK_SIZE> stack;
   size_t top = 0;
   int32_t node = 0;
@@ -37,7 +39,8 @@ void walk(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min
       const uint32_t first = leaf >> 3;
       for (uint32_t slot = first; slot <= first + (leaf & 7u); ++slot) {
         const vec4* v = &bvh.triangles[3 * static_cast<size_t>(slot)];
-        const vec4 hit = intersect_triangle(origin, direction, vec3(v[0]), vec3(v[1]), vec3(v[2]), t_min, t_max);
+        const vec4 hit =
+            intersect_triangle(origin, direction, side, above, vec3(v[0]), vec3(v[1]), vec3(v[2]), t_min, t_max);
         if (hit.w > 0) t_max = visit(slot, hit);
         if (!(t_max > t_min)) return;
       }

@@ -34,11 +34,6 @@ using glm::vec4;
 #define TRIANGLE_ALPHA_MASK 1
 #define TRIANGLE_DOUBLE_SIDED 2
 
-VAMP_INTERSECT_FN vec3 isect_cross(vec3 a, vec3 b) {
-  VAMP_PRECISE vec3 c = vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-  return c;
-}
-
 VAMP_INTERSECT_FN float isect_dot(vec3 a, vec3 b) {
   VAMP_PRECISE float d = a.x * b.x + a.y * b.y + a.z * b.z;
   return d;
@@ -76,28 +71,48 @@ VAMP_INTERSECT_FN vec2 bvh_slab(uvec4 child, vec3 factor, vec3 offset, float t_m
   return vec2(entry, exit);
 }
 
-// Both sides of a triangle; t, u, v and 1 for a hit with t_min < t < t_max, else 0 in w. The point is
-// (1 - u - v) * v0 + u * v1 + v * v2. Watertight: the test of an edge gives opposite numbers from its two sides (edge
-// functions of Pluecker coordinates about the ray's origin, in the form of Embree's robust mode, cross(b - a, b + a)).
-VAMP_INTERSECT_FN vec4 intersect_triangle(vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 v2, float t_min,
-                                          float t_max) {
-  VAMP_PRECISE vec3 a = v0 - origin;
-  VAMP_PRECISE vec3 b = v1 - origin;
-  VAMP_PRECISE vec3 c = v2 - origin;
-  VAMP_PRECISE vec3 ca = a - c;
-  VAMP_PRECISE vec3 ab = b - a;
-  VAMP_PRECISE vec3 bc = c - b;
-  VAMP_PRECISE float u = isect_dot(isect_cross(a + c, ca), direction);
-  VAMP_PRECISE float v = isect_dot(isect_cross(b + a, ab), direction);
-  VAMP_PRECISE float w = isect_dot(isect_cross(c + b, bc), direction);
-  VAMP_PRECISE float sum = u + v + w;
-  vec3 n = isect_cross(ab, ca);
-  VAMP_PRECISE float den = isect_dot(n, direction);
-  bool inside = (min(u, min(v, w)) >= 0.0f || max(u, max(v, w)) <= 0.0f) && sum != 0.0f && den != 0.0f;
-  VAMP_PRECISE float t = isect_dot(n, a) / (den != 0.0f ? den : 1.0f);
+// Two unit vectors across a unit direction (Duff et al. 2017, "Building an orthonormal basis, revisited"): once a ray.
+VAMP_INTERSECT_FN vec3 ray_side(vec3 d) {
+  float s = d.z >= 0.0f ? 1.0f : -1.0f;
+  VAMP_PRECISE float a = -1.0f / (s + d.z);
+  VAMP_PRECISE vec3 side = vec3(1.0f + s * d.x * d.x * a, s * d.x * d.y * a, -s * d.x);
+  return side;
+}
+VAMP_INTERSECT_FN vec3 ray_above(vec3 d) {
+  float s = d.z >= 0.0f ? 1.0f : -1.0f;
+  VAMP_PRECISE float a = -1.0f / (s + d.z);
+  VAMP_PRECISE vec3 above = vec3(d.x * d.y * a, s + d.y * d.y * a, -d.y);
+  return above;
+}
+
+// Both sides of a triangle; side = ray_side(direction), above = ray_above(direction), direction unit. Gives t, u, v and in
+// w 1 for a hit with t_min < t < t_max, else 0. The point is (1 - u - v) * v0 + u * v1 + v * v2.
+// Watertight after Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection", with a rotation in place of their
+// shear: a vertex comes to the same 2D point in each of its triangles, and the sign of a difference of two rounded
+// products is never the wrong one, at worst it is 0, which counts as inside.
+VAMP_INTERSECT_FN vec4 intersect_triangle(vec3 origin, vec3 direction, vec3 side, vec3 above, vec3 v0, vec3 v1, vec3 v2,
+                                          float t_min, float t_max) {
+  VAMP_PRECISE vec3 p0 = v0 - origin;
+  VAMP_PRECISE vec3 p1 = v1 - origin;
+  VAMP_PRECISE vec3 p2 = v2 - origin;
+  VAMP_PRECISE float x0 = isect_dot(side, p0);
+  VAMP_PRECISE float x1 = isect_dot(side, p1);
+  VAMP_PRECISE float x2 = isect_dot(side, p2);
+  VAMP_PRECISE float y0 = isect_dot(above, p0);
+  VAMP_PRECISE float y1 = isect_dot(above, p1);
+  VAMP_PRECISE float y2 = isect_dot(above, p2);
+  VAMP_PRECISE float w = x1 * y2 - y1 * x2;
+  VAMP_PRECISE float u = x2 * y0 - y2 * x0;
+  VAMP_PRECISE float v = x0 * y1 - y0 * x1;
+  VAMP_PRECISE float sum = w + u + v;
+  bool inside = (min(w, min(u, v)) >= 0.0f || max(w, max(u, v)) <= 0.0f) && sum != 0.0f;
   VAMP_PRECISE float inverse = 1.0f / (sum != 0.0f ? sum : 1.0f);
+  VAMP_PRECISE float b1 = u * inverse;
+  VAMP_PRECISE float b2 = v * inverse;
+  VAMP_PRECISE float t =
+      isect_dot(direction, p0) * (w * inverse) + isect_dot(direction, p1) * b1 + isect_dot(direction, p2) * b2;
   bool hit = inside && t > t_min && t < t_max;
-  return vec4(t, u * inverse, v * inverse, hit ? 1.0f : 0.0f);
+  return vec4(t, b1, b2, hit ? 1.0f : 0.0f);
 }
 
 #ifdef __cplusplus
