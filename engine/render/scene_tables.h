@@ -1,0 +1,25 @@
+#pragma once
+// A scene as the kernels read it: the tree of triangles and a surface record for each of them (shaders/lib/surface.glsl).
+#include "engine/accel/bvh.h"
+#include "engine/scene/scene.h"
+
+#include <vector>
+
+namespace vamp {
+
+struct SceneTables {
+  Bvh bvh;
+  std::vector<uvec4> surface;  // four for each triangle, in the order of the tree
+  std::vector<uint8_t> alpha;  // alpha masks of the parts that have one
+  std::vector<uvec2> alpha_of_part;  // first byte and size (width | height << 16); size 0: none
+};
+
+// `visible` says for each part whether its triangles are there.
+SceneTables build_scene_tables(const Scene& scene, const std::vector<bool>& visible);
+
+// Octahedral unit vectors, 16 bits a component; within 4e-5 rad.
+uint32_t pack_normal(const vec3& n);
+// 16 and 15 bits; the lowest bit says that the bitangent is flipped.
+uint32_t pack_tangent(const vec4& tangent);
+
+}  // namespace vamp

@@ -1,0 +1,17 @@
+// Accumulators to what is shown: sums over planes of emission times mean, exposure, tone curve, sRGB.
+#include "shaders/shared/tonemap.h"
+
+// What a unit of plane `plane` is worth.
+vec3 plane_emission(uint plane) {
+  if (plane == PLANE_DIRECT) return vec3(1.0);
+  uint light = plane - PLANE_LIGHTS;
+  if (light < params.light_count) return params.emission[light];
+  if (AMBIENT && light == params.light_count) return params.ambient;
+  return vec3(params.environment_intensity);
+}
+
+uint display_pixel(vec3 radiance) {
+  vec3 c = radiance * params.exposure;
+  if (params.tone_map == TONE_CURVE_NEUTRAL) c = tone_neutral(c);
+  return packUnorm4x8(vec4(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z), 1.0));
+}

@@ -1,0 +1,179 @@
+// Shadow rays: one to each light, one for the ambient, one to the environment. Trace draws them to find what is in the way,
+// shade draws the same ones again to weigh them; both from the same counters.
+
+// A direction to sample, how far to look, and the factor that turns ReflectedCos into this sample's share of the picture
+// for a light of unit emission (area * cosine / distance^2 for area lights). factor 0: no ray.
+struct LightSample {
+  vec3 direction;
+  float distance;
+  float factor;
+};
+
+// Concentric map of the square to the unit disk (Shirley & Chiu 1997).
+vec2 disk_point(vec2 u) {
+  vec2 p = 2.0 * u - 1.0;
+  bool wide = abs(p.x) > abs(p.y);
+  float r = wide ? p.x : p.y;
+  float ratio = wide ? p.y / (abs(p.x) > 0.0 ? p.x : 1.0) : p.x / (abs(p.y) > 0.0 ? p.y : 1.0);
+  float phi = wide ? (PI / 4.0) * ratio : (PI / 2.0) - (PI / 4.0) * ratio;
+  return r * vec2(cos(phi), sin(phi));
+}
+
+// Any orthonormal frame about a unit vector (Duff et al. 2017).
+void basis_about(vec3 n, out vec3 t, out vec3 b) {
+  float s = n.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + n.z);
+  float c = n.x * n.y * a;
+  t = vec3(1.0 + s * n.x * n.x * a, s * c, -s * n.x);
+  b = vec3(c, s + n.y * n.y * a, -n.y);
+}
+
+LightSample sample_light(uint which, vec3 p, vec2 u) {
+  LightRow light = lights[which];
+  vec3 to = light.center - p;
+  LightSample s = LightSample(vec3(0, 0, 1), 0.0, 0.0);
+  uint type = light.type;
+
+  // Points on flat emitters; the centre for lights without size.
+  vec3 target = to;
+  if ((LIGHT_TYPES & (1u << LIGHT_RECT)) != 0u && type == LIGHT_RECT)
+    target += light.u * (light.half_width * (2.0 * u.x - 1.0)) + light.v * (light.half_height * (2.0 * u.y - 1.0));
+  if ((LIGHT_TYPES & (1u << LIGHT_DISK)) != 0u && type == LIGHT_DISK) {
+    vec2 d = disk_point(u) * light.radius;
+    target += light.u * d.x + light.v * d.y;
+  }
+  float d2 = max(dot(target, target), 1e-24);
+  float inverse = inversesqrt(d2);
+  s.direction = target * inverse;
+  s.distance = d2 * inverse;
+  float facing = -dot(s.direction, light.n);
+  // point: 1 / d^2.
+  s.factor = 1.0 / d2;
+  if ((LIGHT_TYPES & ((1u << LIGHT_RECT) | (1u << LIGHT_DISK))) != 0u && (type == LIGHT_RECT || type == LIGHT_DISK))
+    s.factor = max(facing, 0.0) * light.area / d2;
+  if ((LIGHT_TYPES & (1u << LIGHT_SPOT)) != 0u && type == LIGHT_SPOT) {
+    float edge = clamp(facing * light.spot_scale + light.spot_offset, 0.0, 1.0);
+    s.factor *= edge * edge;
+  }
+  if ((LIGHT_TYPES & (1u << LIGHT_DIRECTIONAL)) != 0u && type == LIGHT_DIRECTIONAL)
+    s = LightSample(-light.n, HUGE, 1.0);
+  if ((LIGHT_TYPES & (1u << LIGHT_SPHERE)) != 0u && type == LIGHT_SPHERE) {
+    // Uniform over the cone that the sphere fills; its solid angle from 1 - cos without cancellation.
+    float c2 = max(dot(to, to), 1e-24);
+    float sin2 = min(light.radius * light.radius / c2, 1.0);
+    float one_minus_cos = sin2 / (1.0 + sqrt(max(1.0 - sin2, 0.0)));
+    float z1 = u.x * one_minus_cos;  // 1 - cos of the sample
+    float sin_theta = sqrt(max(z1 * (2.0 - z1), 0.0));
+    float phi = 2.0 * PI * u.y;
+    vec3 axis = to * inversesqrt(c2), t, b;
+    basis_about(axis, t, b);
+    s.direction = normalize(axis * (1.0 - z1) + (t * cos(phi) + b * sin(phi)) * sin_theta);
+    float along = dot(to, s.direction);
+    s.distance = along - sqrt(max(light.radius * light.radius - max(c2 - along * along, 0.0), 0.0));
+    // Inside the sphere there is no one-sided light.
+    s.factor = sin2 < 1.0 ? 2.0 * PI * one_minus_cos : 0.0;
+  }
+  return s;
+}
+
+// Constant ambient radiance: directions half cosine-weighted, half uniform, because ReflectedCos / cos is unbounded for
+// tilted frames; the factor is 1 / the mixture's pdf.
+LightSample sample_ambient(vec3 normal, vec2 u, float choice) {
+  bool cosine = choice < 0.5;
+  float z = cosine ? sqrt(1.0 - u.x) : u.x;
+  float r = cosine ? sqrt(u.x) : sqrt(max(1.0 - u.x * u.x, 0.0));
+  float phi = 2.0 * PI * u.y;
+  vec3 t, b;
+  basis_about(normal, t, b);
+  LightSample s;
+  s.direction = normalize((t * cos(phi) + b * sin(phi)) * r + normal * z);
+  s.distance = params.ao_radius;
+  s.factor = 2.0 * PI / (1.0 + 2.0 * z);
+  return s;
+}
+
+// The environment's own frame: world turned back by its rotation about +Y.
+vec3 environment_from_world(vec3 d) {
+  return vec3(params.environment_cos * d.x - params.environment_sin * d.z, d.y,
+              params.environment_sin * d.x + params.environment_cos * d.z);
+}
+vec3 world_from_environment(vec3 d) {
+  return vec3(params.environment_cos * d.x + params.environment_sin * d.z, d.y,
+              -params.environment_sin * d.x + params.environment_cos * d.z);
+}
+
+// Texel: rgb radiance, a pdf per solid angle.
+int environment_texel(vec3 direction) {
+  vec3 d = environment_from_world(direction);
+  float u = 0.5 + atan(d.x, -d.z) * (0.5 / PI);
+  float v = acos(clamp(d.y, -1.0, 1.0)) * (1.0 / PI);
+  uint x = min(uint(u * float(params.environment_width)), params.environment_width - 1u);
+  uint y = min(uint(v * float(params.environment_height)), params.environment_height - 1u);
+  return int(y * params.environment_width + x);
+}
+vec3 environment_radiance(vec3 direction) {
+  return texelFetch(environment_texels, environment_texel(direction)).rgb * params.environment_intensity;
+}
+
+// Drawn in proportion to luminance by the alias table; `radiance` at intensity 1.
+LightSample sample_environment(vec2 cell, vec2 inside, out vec3 radiance) {
+  uint count = params.environment_width * params.environment_height;
+  uint i = min(uint(cell.x * float(count)), count - 1u);
+  uvec2 alias = texelFetch(environment_cell_texels, int(i)).xy;
+  i = cell.y < uintBitsToFloat(alias.x) ? i : alias.y;
+  vec4 texel = texelFetch(environment_texels, int(i));
+  uint y = i / params.environment_width;
+  uint x = i - y * params.environment_width;
+  float phi = ((float(x) + inside.x) / float(params.environment_width) - 0.5) * 2.0 * PI;
+  float c0 = cos(PI * float(y) / float(params.environment_height));
+  float c1 = cos(PI * float(y + 1u) / float(params.environment_height));
+  float cosine = mix(c0, c1, inside.y);
+  float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+  LightSample s;
+  s.direction = world_from_environment(vec3(sine * sin(phi), cosine, -sine * cos(phi)));
+  s.distance = HUGE;
+  s.factor = texel.a > 0.0 ? 1.0 / texel.a : 0.0;
+  radiance = texel.rgb;
+  return s;
+}
+
+// Shadow ray number `ray` (lights, ambient, environment) of a vertex's sample. Rays from below the face or the shading
+// normal carry nothing: the rule at the terminator is that a light counts when it stands above both.
+LightSample sample_ray(uint ray, SurfacePoint point, uint seed, uint sample_index, uint pair_base, out vec3 radiance) {
+  LightSample s = LightSample(vec3(0, 0, 1), 0.0, 0.0);
+  radiance = vec3(1.0);
+  if (ray < LIGHT_COUNT) s = sample_light(ray, point.position, random_pair(seed, sample_index, pair_base + PAIR_LIGHT + ray));
+  if (AMBIENT && ray == LIGHT_COUNT)
+    s = sample_ambient(point.normal, random_pair(seed, sample_index, pair_base + PAIR_AMBIENT),
+                       random_pair(seed, sample_index, pair_base + PAIR_AMBIENT_CHOICE).x);
+  if (ENVIRONMENT && ray == LIGHT_COUNT + (AMBIENT ? 1u : 0u))
+    s = sample_environment(random_pair(seed, sample_index, pair_base + PAIR_ENVIRONMENT_CELL),
+                           random_pair(seed, sample_index, pair_base + PAIR_ENVIRONMENT_TEXEL), radiance);
+  bool above = dot(s.direction, point.face) > 0.0 && dot(s.direction, point.normal) > 0.0;
+  s.factor = above ? s.factor : 0.0;
+  return s;
+}
+
+// An area light along a mirror's ray, nearer than `t_max`: its number, or -1. One-sided where it is flat.
+int light_hit(vec3 origin, vec3 direction, float t_max) {
+  int found = -1;
+  float nearest = t_max;
+  for (uint i = 0u; i < LIGHT_COUNT; ++i) {
+    LightRow light = lights[i];
+    vec3 to = light.center - origin;
+    float facing = -dot(direction, light.n);
+    float t = facing > 0.0 ? -dot(to, light.n) / facing : -1.0;
+    vec3 q = direction * t - to;
+    bool inside = light.type == LIGHT_RECT
+                      ? abs(dot(q, light.u)) <= light.half_width && abs(dot(q, light.v)) <= light.half_height
+                      : light.type == LIGHT_DISK && dot(q, q) <= light.radius * light.radius;
+    float along = dot(to, direction);
+    float rest = light.radius * light.radius - (dot(to, to) - along * along);
+    bool sphere = light.type == LIGHT_SPHERE && rest >= 0.0;
+    t = sphere ? along - sqrt(max(rest, 0.0)) : t;
+    bool hit = (inside || sphere) && t > 0.0 && t < nearest;
+    nearest = hit ? t : nearest;
+    found = hit ? int(i) : found;
+  }
+  return found;
+}
