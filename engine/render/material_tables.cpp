@@ -1,10 +1,10 @@
 #include "engine/render/material_tables.h"
 
-#include "engine/core/check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#include "engine/core/check.h"
 
 namespace vamp {
 namespace {
@@ -30,8 +30,10 @@ RowRanges replace_rows(std::vector<T>& rows, uint32_t first, const std::vector<T
   for (uint32_t i = 0; i < now.size(); ++i) {
     if (std::memcmp(&rows[first + i], &now[i], sizeof(T)) == 0) continue;
     rows[first + i] = now[i];
-    if (!changed.empty() && changed.back().first + changed.back().second == first + i) ++changed.back().second;
-    else changed.emplace_back(first + i, 1);
+    if (!changed.empty() && changed.back().first + changed.back().second == first + i)
+      ++changed.back().second;
+    else
+      changed.emplace_back(first + i, 1);
   }
   return changed;
 }
@@ -48,8 +50,8 @@ uint32_t residual_terms(const MaterialInstance& material) {
 
 Result<MaterialTables> build_material_tables(const Project& project) {
   MaterialTables all;
-  // What parts without a residual read: one record of zeros, reached through one triangle whose first corner has all the
-  // weight, from a map that knows no other.
+  // What parts without a residual read: one record of zeros, reached through one triangle whose first corner has all
+  // the weight, from a map that knows no other.
   all.residual.push_back({});
   all.triangles.push_back({{0, 0, 1}, 0, {0, 0, 0}, 0});
   all.map.assign(static_cast<size_t>(kDirectionMapSide * kDirectionMapSide), 0);
@@ -83,10 +85,12 @@ ChangedRows apply_edits(MaterialTables& all, const Project& project, size_t mate
   const MaterialInstance& instance = project.materials[material];
   const EditedTables edited = edited_tables(*instance.fit, instance.edits);
   const MaterialTables::Place& place = all.places[material];
-  return {replace_rows(all.bases, place.basis, edited.bases), replace_rows(all.clusters, place.cluster, edited.clusters)};
+  return {replace_rows(all.bases, place.basis, edited.bases),
+          replace_rows(all.clusters, place.cluster, edited.clusters)};
 }
 
-std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene, const MaterialTables& materials) {
+std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene,
+                                      const MaterialTables& materials) {
   std::vector<frame::PartRow> rows;
   for (size_t i = 0; i < project.parts.size(); ++i) {
     const PartState& part = project.parts[i];
@@ -154,7 +158,8 @@ uint32_t residual_in_view(const Project& project) {
   uint32_t residual = 0;
   const std::vector<bool> used = materials_in_view(project);
   for (size_t i = 0; i < used.size(); ++i)
-    if (used[i] && has_residual(project.materials[i])) residual = std::max(residual, 1 + residual_terms(project.materials[i]));
+    if (used[i] && has_residual(project.materials[i]))
+      residual = std::max(residual, 1 + residual_terms(project.materials[i]));
   return residual;
 }
 

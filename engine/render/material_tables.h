@@ -1,13 +1,14 @@
 #pragma once
-// All materials of a project in the flat tables that the kernels read, one after another; and which rows an edit changed.
+// All materials of a project in the flat tables that the kernels read, one after another; and which rows an edit
+// changed.
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "engine/material/tables.h"
 #include "engine/project/project.h"
 #include "engine/render/scene_tables.h"
 #include "shaders/shared/frame.h"
-
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace vamp {
 
@@ -23,9 +24,9 @@ struct MaterialTables {
   std::vector<tables::Entry> entries;
   std::vector<tables::BasisRow> bases;
   std::vector<tables::ClusterRow> clusters;
-  std::vector<tables::ResidualRecord> residual;          // record 0 is zero: parts without a residual read it
-  std::vector<tables::DirectionTriangle> triangles;      // triangle 0 belongs to them
-  std::vector<uint16_t> map;                             // and so does the first map
+  std::vector<tables::ResidualRecord> residual;      // record 0 is zero: parts without a residual read it
+  std::vector<tables::DirectionTriangle> triangles;  // triangle 0 belongs to them
+  std::vector<uint16_t> map;                         // and so does the first map
 };
 
 // Materials that no visible part uses are left out (their place stays zero).
@@ -41,7 +42,8 @@ struct ChangedRows {
 ChangedRows apply_edits(MaterialTables& tables, const Project& project, size_t material);
 
 // The rows of the scene's parts.
-std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene, const MaterialTables& materials);
+std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene,
+                                      const MaterialTables& materials);
 
 // The kernel's constants that follow from the materials in view: a bit per model, and SPEC_RESIDUAL.
 uint32_t lobe_models_in_view(const Project& project);

@@ -1,15 +1,14 @@
 #include "engine/render/scene_tables.h"
 
-#include "engine/core/check.h"
-#include "engine/core/log.h"
-#include "engine/image/image.h"
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "engine/core/check.h"
+#include "engine/core/log.h"
+#include "engine/image/image.h"
 
 namespace vamp {
 namespace {

@@ -1,16 +1,17 @@
 #pragma once
-// A scene as the kernels read it: the tree of triangles and a surface record for each of them (shaders/lib/surface.glsl).
+// A scene as the kernels read it: the tree of triangles and a surface record for each of them
+// (shaders/lib/surface.glsl).
+#include <vector>
+
 #include "engine/accel/bvh.h"
 #include "engine/scene/scene.h"
-
-#include <vector>
 
 namespace vamp {
 
 struct SceneTables {
   Bvh bvh;
-  std::vector<uvec4> surface;  // four for each triangle, in the order of the tree
-  std::vector<uint8_t> alpha;  // alpha masks of the parts that have one
+  std::vector<uvec4> surface;        // four for each triangle, in the order of the tree
+  std::vector<uint8_t> alpha;        // alpha masks of the parts that have one
   std::vector<uvec2> alpha_of_part;  // first byte and size (width | height << 16); size 0: none
 };
 

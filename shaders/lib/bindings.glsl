@@ -50,7 +50,8 @@ layout(push_constant, scalar) uniform PushBlock { TilePush tile; };
 const float PI = 3.14159265358979323846;
 const float HUGE = 3.0e38;
 
-// Shadow rays of one vertex: lights, then ambient, then environment; the order of visibility bits and planes.
+// Shadow rays of one vertex: lights, then ambient, then environment; the order of visibility bits and planes. At least one:
+// where nothing lights a scene, the ambient is kept with a radiance of 0.
 const uint RAY_COUNT = LIGHT_COUNT + (AMBIENT ? 1u : 0u) + (ENVIRONMENT ? 1u : 0u);
 const uint VERTEX_COUNT = MIRROR ? 2u : 1u;
 

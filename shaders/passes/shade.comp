@@ -57,7 +57,7 @@ void main() {
     word[k] = imageLoad(visibility, int(((tile.sample_base + k) % SAMPLES_PER_HIT) * region_pixels() + index)).x;
 
   // What is seen directly is the same for all samples of a hit.
-  vec3 light[DIRECTION_COUNT > 0u ? DIRECTION_COUNT : 1u];
+  vec3 light[DIRECTION_COUNT];
   for (uint d = 0u; d < DIRECTION_COUNT; ++d) light[d] = vec3(0.0);
   bool hit = triangle >= 0;
   vec4 direct = vec4(0.0, 0.0, 0.0, hit ? 1.0 : 0.0);

@@ -131,6 +131,6 @@ struct TilePush {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRow) == 80 && sizeof(PartRow) == 96 && sizeof(TilePush) == 24);
-static_assert(sizeof(FrameParams) == 204 + 12 * MAX_LIGHTS);
+static_assert(sizeof(FrameParams) == 176 + 12 * MAX_LIGHTS);
 }  // namespace vamp::frame
 #endif

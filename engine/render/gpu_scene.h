@@ -1,0 +1,55 @@
+#pragma once
+// The tables of a project on the device.
+#include <string>
+#include <vector>
+
+#include "engine/gpu/buffer.h"
+#include "engine/gpu/pipeline.h"
+#include "engine/render/material_tables.h"
+#include "engine/render/scene_tables.h"
+#include "engine/scene/environment.h"
+#include "engine/scene/light.h"
+#include "shaders/shared/frame.h"
+
+namespace vamp {
+
+// A table that kernels fetch through a texel buffer (and, where asked for, a storage buffer).
+template <class T>
+struct TexelTable {
+  gpu::TypedBuffer<T> rows;
+  gpu::TexelView view;
+};
+
+struct GpuScene {
+  gpu::TypedBuffer<frame::FrameParams> params;
+  gpu::TypedBuffer<frame::LightRow> lights;
+  TexelTable<uvec4> nodes;
+  TexelTable<vec4> triangles;
+  TexelTable<uvec4> surface;
+  TexelTable<frame::PartRow> parts;
+  TexelTable<tables::Texel> texels;
+  TexelTable<tables::Entry> entries;
+  TexelTable<tables::BasisRow> bases;
+  TexelTable<tables::ClusterRow> clusters;
+  TexelTable<tables::ResidualRecord> residual;
+  TexelTable<tables::DirectionTriangle> direction_triangles;
+  TexelTable<uint16_t> direction_map;
+  TexelTable<vec4> environment;
+  TexelTable<Environment::Cell> environment_cells;
+  TexelTable<uint8_t> alpha;
+
+  // Each makes its buffers anew and fills them. Errors: a table larger than the device allows. Return bytes sent.
+  Result<uint64_t> send_scene(gpu::Device& device, const SceneTables& tables, bool storage_fetch);
+  Result<uint64_t> send_materials(gpu::Device& device, const MaterialTables& tables);
+  Result<uint64_t> send_parts(gpu::Device& device, const std::vector<frame::PartRow>& rows);
+  Result<uint64_t> send_environment(gpu::Device& device, const Environment* map);
+  uint64_t send_lights(gpu::Device& device, const std::vector<frame::LightRow>& rows);
+
+  // What a descriptor set needs of these, appended.
+  void bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) const;
+};
+
+// The kernel's row of a light.
+frame::LightRow light_row(const Light& light);
+
+}  // namespace vamp

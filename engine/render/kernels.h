@@ -1,0 +1,52 @@
+#pragma once
+// The passes as pipelines, specialised for what a scene needs and kept.
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "engine/gpu/device.h"
+#include "engine/gpu/pipeline.h"
+
+namespace vamp {
+
+enum class Pass { trace, shade, composite, aov, occlusion };
+
+// Values of the SPEC_* constants (shaders/shared/frame.h).
+struct KernelKey {
+  uint32_t samples = 1;
+  uint32_t light_count = 0;
+  uint32_t light_types = 0;
+  bool ambient = true;
+  bool environment = false;
+  bool mirror = false;
+  bool alpha_mask = false;
+  uint32_t residual = 0;
+  uint32_t lobe_models = 0;
+  bool four_taps = false;
+  bool storage_fetch = false;
+  bool pixel_centres = false;
+  bool new_hit = true;
+  auto operator<=>(const KernelKey&) const = default;
+
+  uint32_t ray_count() const { return light_count + (ambient ? 1u : 0u) + (environment ? 1u : 0u); }
+  uint32_t planes() const { return 1 + ray_count(); }
+};
+
+// All kernels share one set of bindings.
+const std::vector<gpu::Binding>& kernel_bindings();
+
+class Kernels {
+ public:
+  explicit Kernels(gpu::Device& device) : device_(&device) {}
+
+  // Constants that a pass does not read are ignored, so that it is not made twice. Throws MachineError.
+  const gpu::ComputePipeline& get(Pass pass, KernelKey key);
+
+ private:
+  gpu::Device* device_;
+  std::map<std::pair<Pass, KernelKey>, gpu::ComputePipeline> pipelines_;
+};
+
+}  // namespace vamp

@@ -1,0 +1,113 @@
+#pragma once
+// The renderer without a thread or a window: takes a project, finds what changed, and refines one tile at a time. The
+// interactive session and the command line both stand on it, so that they give the same bytes.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/project/project.h"
+#include "engine/render/gpu_scene.h"
+#include "engine/render/kernels.h"
+#include "engine/render/material_tables.h"
+#include "engine/render/scene_tables.h"
+
+namespace vamp {
+
+// A rectangle of the picture, pixels, row 0 on top.
+struct Region {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const Region&) const = default;
+};
+
+// What taking over a project came to.
+struct Change {
+  bool restarted = false;   // the accumulators start again
+  bool recomposed = false;  // only what is linear in them, or the display, changed
+  std::string what;         // "camera", "light moved", "material edited": the first reason
+  uint64_t bytes = 0;       // sent to the device
+};
+
+class Renderer {
+ public:
+  explicit Renderer(gpu::Device& device);
+
+  // Size of the whole picture and the part of it that is rendered. Restarts.
+  void set_region(int picture_width, int picture_height, const Region& region);
+
+  // Compares with the project drawn last and sends the difference. Errors: tables too large for the device, no such
+  // direction set. Nothing of the picture may be in flight (wait for the last submit).
+  Result<Change> set_project(std::shared_ptr<const Project> project);
+
+  // Tiles of the region, TILE_SIDE pixels a side, in the order in which they are best refined (from the middle).
+  int tile_count() const { return static_cast<int>(tiles_.size()); }
+  uint32_t samples_of(int tile) const { return samples_[static_cast<size_t>(tile)]; }
+  // Of the least refined tile.
+  uint32_t samples() const;
+
+  // The batch that follows `samples`: 1 until a stored hit is used up for the first time, then whole hits, cut at
+  // `limit`. A batch never crosses a stored hit, and every batching gives the same bits.
+  uint32_t next_batch(uint32_t samples, uint32_t limit) const;
+
+  // Refines a tile by its next batch up to `limit` samples; returns the timeline value. One submit of trace and shade.
+  uint64_t refine(int tile, uint32_t limit);
+
+  // The whole region in one submit, for work that nobody watches; all tiles must stand at the same number of samples.
+  uint64_t refine_all(uint32_t limit);
+
+  // Shows all tiles again from their accumulators.
+  uint64_t recompose();
+
+  // Layers of the pixels' centres (shaders/passes/aov.comp), and `samples` of the occlusion layer.
+  uint64_t render_aov();
+  uint64_t render_occlusion(uint32_t first_sample, uint32_t samples);
+
+  // --- After a timeline value, from the host.
+  // RGBA: linear radiance summed over planes, and coverage; a mean over each pixel's samples.
+  std::vector<float> linear_picture(uint64_t after);
+  // The accumulators themselves: compensated sums, [plane][pixel][4].
+  std::vector<float> accumulators(uint64_t after);
+  std::vector<uint32_t> display_picture(uint64_t after);
+  // [layer][pixel][4], three layers.
+  std::vector<float> aov_layers(uint64_t after);
+  // The displayed picture where the host sees it, else nullptr.
+  const uint32_t* mapped_display() const;
+
+  const Region& region() const { return region_; }
+  const Project& project() const { return *project_; }
+  const Bvh& bvh() const { return scene_tables_.bvh; }
+  const KernelKey& key() const { return key_; }
+  // Rays that one sample of the region asks for, hits taken as `coverage` of its pixels.
+  double rays_per_sample(double coverage) const;
+
+ private:
+  uint64_t submit_batch(const Region& area, uint32_t done, uint32_t batch);
+  void make_picture();
+  void make_descriptor_set();
+  uint64_t send_frame();
+  bool geometry_differs(const Project& now) const;
+  bool materials_differ(const Project& now) const;
+  bool lights_moved(const Project& now) const;
+
+  gpu::Device* device_;
+  Kernels kernels_;
+  std::shared_ptr<const Project> project_;
+  SceneTables scene_tables_;
+  MaterialTables material_tables_;
+  std::vector<frame::PartRow> part_rows_;
+  std::vector<size_t> lights_;  // which of the project's lights are traced
+  GpuScene gpu_;
+  KernelKey key_;
+  frame::FrameParams params_{};
+
+  int picture_width_ = 0, picture_height_ = 0;
+  Region region_;
+  std::vector<Region> tiles_;
+  std::vector<uint32_t> samples_;
+  gpu::TypedBuffer<uint32_t> hits_, visibility_, display_;
+  gpu::TypedBuffer<vec4> accumulators_, aov_;
+  gpu::TexelView hits_view_, visibility_view_, accumulators_view_, aov_view_;
+  gpu::DescriptorSet set_;
+};
+
+}  // namespace vamp

@@ -1,0 +1,152 @@
+#include "engine/render/still.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/core/progress.h"
+#include "engine/gpu/device.h"
+#include "engine/render/renderer.h"
+
+namespace vamp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A region's buffers take about 100 bytes a pixel and 32 for each accumulator plane: some 300 MB at this size.
+constexpr int kRegionSide = 1024;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::vector<Region> regions_of(int width, int height) {
+  std::vector<Region> regions;
+  for (int y = 0; y < height; y += kRegionSide)
+    for (int x = 0; x < width; x += kRegionSide)
+      regions.push_back({x, y, std::min(kRegionSide, width - x), std::min(kRegionSide, height - y)});
+  return regions;
+}
+
+std::vector<std::string> channels_of(Layer layer) {
+  switch (layer) {
+    case Layer::depth:
+      return {"depth.Z"};
+    case Layer::normal:
+      return {"normal.X", "normal.Y", "normal.Z"};
+    case Layer::uv:
+      return {"uv.U", "uv.V"};
+    case Layer::part:
+      return {"part.Y"};
+    case Layer::cluster:
+      return {"cluster.Y"};
+    case Layer::ao:
+      return {"ao.Y"};
+  }
+  return {};
+}
+
+// A pixel's values of a layer from the kernels' rows (shaders/passes/aov.comp and occlusion.comp).
+void put_layer(Layer layer, const float* centre, const float* place, const float* occlusion, float* out) {
+  switch (layer) {
+    case Layer::depth:
+      out[0] = centre[3];
+      break;
+    case Layer::normal:
+      std::copy(centre, centre + 3, out);
+      break;
+    case Layer::uv:
+      std::copy(place, place + 2, out);
+      break;
+    case Layer::part:
+      out[0] = place[2];
+      break;
+    case Layer::cluster:
+      out[0] = place[3];
+      break;
+    case Layer::ao:
+      out[0] = occlusion[1] > 0 ? occlusion[0] / occlusion[1] : -1.0f;
+      break;
+  }
+}
+
+}  // namespace
+
+Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> project, const StillOptions& options,
+                           Progress* progress) {
+  constexpr int kMaxSide = 16384;
+  if (options.width < 1 || options.height < 1 || options.width > kMaxSide || options.height > kMaxSide)
+    return fail(ErrorKind::usage, "", "size", fmt::format("1 to {} pixels a side", kMaxSide),
+                fmt::format("{} x {}", options.width, options.height));
+  if (options.samples == 0) return fail(ErrorKind::usage, "", "samples", "at least 1", "0");
+
+  std::vector<std::string> channels = {"R", "G", "B", "A"};
+  for (const Layer layer : options.layers)
+    for (const std::string& name : channels_of(layer)) channels.push_back(name);
+  const bool wants_occlusion =
+      std::find(options.layers.begin(), options.layers.end(), Layer::ao) != options.layers.end();
+
+  Still still;
+  still.image = Image(options.width, options.height, channels);
+  still.samples = options.samples;
+  Renderer renderer(device);
+  VAMP_CHECK_STATUS(renderer.set_project(project));
+  const std::vector<Region> regions = regions_of(options.width, options.height);
+  std::vector<double> ms_per_sample;
+  double done_pixels = 0;
+  const double all_pixels = static_cast<double>(options.width) * options.height;
+
+  for (const Region& region : regions) {
+    renderer.set_region(options.width, options.height, region);
+    const double share = static_cast<double>(region.width) * region.height / all_pixels;
+    const Clock::time_point start = Clock::now();
+    uint64_t value = 0;
+    while (renderer.samples() < options.samples) {
+      const uint32_t before = renderer.samples();
+      const Clock::time_point batch = Clock::now();
+      value = renderer.refine_all(options.samples);
+      device.wait(value);
+      ms_per_sample.push_back(1e3 * seconds_since(batch) / (renderer.samples() - before) / share);
+      const float part = static_cast<float>(renderer.samples()) / static_cast<float>(options.samples);
+      if (progress != nullptr) progress->fraction(static_cast<float>(done_pixels) + static_cast<float>(share) * part);
+      const bool out_of_time = options.seconds > 0 && seconds_since(start) >= options.seconds * share;
+      if (out_of_time || (progress != nullptr && progress->cancelled())) break;
+    }
+    still.seconds += seconds_since(start);
+    still.complete = still.complete && renderer.samples() == options.samples;
+    still.samples = std::min(still.samples, renderer.samples());
+
+    const std::vector<float> picture = renderer.linear_picture(value);
+    std::vector<float> layers;
+    if (!options.layers.empty()) {
+      value = renderer.render_aov();
+      if (wants_occlusion) value = renderer.render_occlusion(0, renderer.samples());
+      layers = renderer.aov_layers(value);
+    }
+    double covered = 0;
+    const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+    for (size_t i = 0; i < pixels; ++i) {
+      const int x = region.x + static_cast<int>(i) % region.width, y = region.y + static_cast<int>(i) / region.width;
+      float* out = &still.image.at(x, y, 0);
+      std::copy(&picture[4 * i], &picture[4 * i] + 4, out);
+      covered += static_cast<double>(out[3]);
+      out += 4;
+      for (const Layer layer : options.layers) {
+        put_layer(layer, &layers[4 * i], &layers[4 * (pixels + i)], &layers[4 * (2 * pixels + i)], out);
+        out += channels_of(layer).size();
+      }
+    }
+    still.rays += renderer.rays_per_sample(covered / static_cast<double>(pixels)) * renderer.samples();
+    still.gpu_bytes = std::max(still.gpu_bytes, device.bytes_allocated());
+    done_pixels += share;
+    if (progress != nullptr && progress->cancelled()) {
+      still.complete = false;
+      break;
+    }
+  }
+  std::nth_element(ms_per_sample.begin(), ms_per_sample.begin() + static_cast<std::ptrdiff_t>(ms_per_sample.size() / 2),
+                   ms_per_sample.end());
+  still.ms_per_sample = ms_per_sample[ms_per_sample.size() / 2];
+  return still;
+}
+
+}  // namespace vamp

@@ -1,0 +1,87 @@
+// Lafortune et al. 1997, "Non-linear approximation of reflectance functions", one lobe:
+// f = ks (cx ix ox + cy iy oy + cz iz oz)^n where the sum is positive, else 0. cx = cy = -1, cz = 1 mirrors, all
+// positive sends light back, cx != cy is anisotropic, a small cz leans the lobe. n in [0, 2e4].
+// Variants: 0 raw; 1 normalized, times (n + 2) / 2 pi and with C divided by its largest component (Ngan et al. 2005):
+// albedo at most 1. Raw fits such as C = 0.577, n = 4060 have a peak of 1e-970 without it.
+// Cannot: brighten towards grazing; the albedo of the mirroring lobe falls like the cosine.
+#ifndef LAFORTUNE_GLSL
+#define LAFORTUNE_GLSL
+#include "shaders/brdf/brdf_common.glsl"
+
+real lafortune_max(real cx, real cy, real cz) { return max(max(abs(cx), abs(cy)), abs(cz)); }
+
+// 1 - sum of c_k i_k o_k for |c_k| <= 1 and unit vectors as half of a sum of squares, which does not cancel at the peak.
+real lafortune_distance(real cx, real cy, real cz, vec3 wi, vec3 wo) {
+  real dx = wi.x - cx * wo.x;
+  real dy = wi.y - cy * wo.y;
+  real dz = wi.z - cz * wo.z;
+  real rest = (REAL(1.0) - cx) * (REAL(1.0) + cx) * (wo.x * wo.x) + (REAL(1.0) - cy) * (REAL(1.0) + cy) * (wo.y * wo.y) +
+              (REAL(1.0) - cz) * (REAL(1.0) + cz) * (wo.z * wo.z);
+  return REAL(0.5) * (dx * dx + dy * dy + dz * dz + rest);
+}
+
+// -log2 of the sum, relative to the vectors' squared length; beyond every exponent where the sum is not positive.
+real lafortune_log2(real cx, real cy, real cz, vec3 wi, vec3 wo) {
+  real x = cx * (wi.x * wo.x) + cy * (wi.y * wo.y) + cz * (wi.z * wo.z);
+  return brdf_log2_ratio(lafortune_distance(cx, cy, cz, wi, wo), max(x, REAL(1e-30)));
+}
+
+real lafortune_eval(int variant, real ks, real cx, real cy, real cz, real n, vec3 wi, vec3 wo) {
+  real top = lafortune_max(cx, cy, cz);
+  if (top <= REAL(0.0)) return REAL(0.0);
+  real x = cx * (wi.x * wo.x) + cy * (wi.y * wo.y) + cz * (wi.z * wo.z);
+  real q = lafortune_log2(cx / top, cy / top, cz / top, wi, wo);
+  real iz = max(wi.z, REAL(0.0));
+  real value = ks * (n + REAL(2.0)) / (REAL(2.0) * BRDF_PI) * brdf_falloff(n * q) * iz;
+  if (variant == 0) {
+    // The peak top^n belongs to the exponent: alone it under- or overflows.
+    real exponent = n * (q - brdf_log2(top));
+    value = ks * brdf_exp2(clamp(-exponent, -BRDF_MAX_EXPONENT, BRDF_MAX_EXPONENT)) * iz;
+    if (exponent >= BRDF_MAX_EXPONENT) value = REAL(0.0);
+  }
+  return SELECT(x > REAL(0.0), value, REAL(0.0));
+}
+
+// A power of a cosine about w = (cx ox, cy oy, cz oz); the plain cosine where w vanishes.
+real lafortune_pdf(real cx, real cy, real cz, real n, vec3 wi, vec3 wo) {
+  real top = max(lafortune_max(cx, cy, cz), REAL(1e-30));
+  vec3 w = vec3(cx / top * wo.x, cy / top * wo.y, cz / top * wo.z);
+  real length_w = sqrt(dot(w, w));
+  if (length_w < REAL(1e-6)) return max(wi.z, REAL(0.0)) / BRDF_PI;
+  vec3 axis = vec3(w.x / length_w, w.y / length_w, w.z / length_w);
+  vec3 d = vec3(wi.x - axis.x, wi.y - axis.y, wi.z - axis.z);
+  real c = dot(wi, axis);
+  real power = brdf_falloff(n * brdf_log2_ratio(REAL(0.5) * dot(d, d), max(c, REAL(1e-30))));
+  return SELECT(c > REAL(0.0), (n + REAL(1.0)) / (REAL(2.0) * BRDF_PI) * power, REAL(0.0));
+}
+
+bool lafortune_sample(int variant, real ks, real cx, real cy, real cz, real n, vec3 wo, vec2 u, OUT(vec3) wi,
+                      OUT(real) pdf, OUT(real) weight) {
+  real top = max(lafortune_max(cx, cy, cz), REAL(1e-30));
+  vec3 w = vec3(cx / top * wo.x, cy / top * wo.y, cz / top * wo.z);
+  real length_w = sqrt(dot(w, w));
+  if (length_w < REAL(1e-6)) {
+    wi = brdf_cosine_direction(u);
+  } else {
+    // A frame about the axis (Duff et al. 2017) and the power cosine in it.
+    vec3 axis = vec3(w.x / length_w, w.y / length_w, w.z / length_w);
+    real side = SELECT(axis.z < REAL(0.0), REAL(-1.0), REAL(1.0));
+    real a = REAL(-1.0) / (side + axis.z);
+    real b = axis.x * axis.y * a;
+    vec3 t1 = vec3(REAL(1.0) + side * axis.x * axis.x * a, side * b, -side * axis.x);
+    vec3 t2 = vec3(b, side + axis.y * axis.y * a, -axis.y);
+    real tan2 = brdf_expm1(REAL(2.0) * brdf_minus_log1m(u.y) / (n + REAL(1.0)));
+    real cosine = REAL(1.0) / sqrt(REAL(1.0) + tan2);
+    vec2 c = brdf_unit_circle(u.x);
+    real x = cosine * sqrt(tan2) * c.x;
+    real y = cosine * sqrt(tan2) * c.y;
+    wi = vec3(x * t1.x + y * t2.x + cosine * axis.x, x * t1.y + y * t2.y + cosine * axis.y,
+              x * t1.z + y * t2.z + cosine * axis.z);
+  }
+  pdf = lafortune_pdf(cx, cy, cz, n, wi, wo);
+  bool valid = wi.z > REAL(0.0) && pdf > REAL(0.0);
+  weight = SELECT(valid, lafortune_eval(variant, ks, cx, cy, cz, n, wi, wo) / max(pdf, REAL(1e-37)), REAL(0.0));
+  return valid;
+}
+
+#endif
