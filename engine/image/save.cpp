@@ -104,11 +104,13 @@ Result<std::vector<std::byte>> encode_exr(const Image& image, const ExrOptions& 
   }
   spec.attribute("compression", "zip");
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709.data());
+  // Without it OpenImageIO writes the time of day, and the same picture would not be the same file.
+  spec.attribute("DateTime", "");
   for (const auto& [key, value] : options.metadata) {
     CHECK(!key.empty());
     std::string text = value;
     std::erase(text, '\0');
-    spec.attribute(key, text);
+    spec.attribute(key == "capDate" ? "DateTime" : key, text);
   }
   if (!options.half) return encode("openexr", std::move(spec), OIIO::TypeDesc::FLOAT, image.pixels.data());
   std::vector<float> pixels = image.pixels;
