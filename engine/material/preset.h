@@ -16,6 +16,8 @@ struct Preset {
   SpmmPtr fit;
   EditLayer edits;
   std::vector<std::byte> thumbnail_png;  // may be empty
+  // Members of material.json that this version does not know, as one JSON object; they are kept when it is saved.
+  std::string unknown_json;
 };
 
 // What a library shows without reading the tables.
@@ -30,7 +32,8 @@ struct PresetInfo {
 Result<Preset> load_preset(const std::filesystem::path& path);
 Result<PresetInfo> load_preset_info(const std::filesystem::path& path);
 
-// `path` ends in .vamp: one zip; else a folder. The old preset stays whole until the new one is complete.
+// `path` ends in .vamp: one zip; else a folder. The old preset stays whole until the new one is complete. A folder that
+// holds anything but a preset is refused. The fit and the edit layer are validated first.
 Status save_preset(const Preset& preset, const std::filesystem::path& path);
 
 }  // namespace vamp
