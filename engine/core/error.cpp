@@ -12,6 +12,9 @@ std::string Error::message() const {
   append(": ", place);
   if (!expected.empty()) append(": ", found.empty() ? expected : "expected " + expected);
   append(", found ", found);
+  // One line, whatever stands in file names and damaged files.
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   return text;
 }
 

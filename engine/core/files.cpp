@@ -1,11 +1,11 @@
 #include "engine/core/files.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <sys/stat.h>
-
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -21,7 +21,9 @@ template <class Container>
 Result<Container> read_whole(const fs::path& path, uint64_t limit) {
   std::error_code code;
   const auto status = fs::status(path, code);
-  if (!fs::exists(status)) return fail(ErrorKind::bad_input, path.string(), "", "a file", "nothing there");
+  if (status.type() == fs::file_type::not_found)
+    return fail(ErrorKind::bad_input, path.string(), "", "a file", "nothing there");
+  if (!fs::status_known(status)) return fail(ErrorKind::io, path.string(), "", "cannot be opened: " + code.message());
   if (fs::is_directory(status)) return fail(ErrorKind::bad_input, path.string(), "", "a file", "a folder");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return fail(ErrorKind::io, path.string(), "", "cannot be opened: " + system_reason());
@@ -64,6 +66,29 @@ class Descriptor {
   int fd_;
 };
 
+bool write_all(int fd, std::span<const std::byte> bytes) {
+  for (size_t done = 0; done < bytes.size();) {
+    const ssize_t count = ::write(fd, bytes.data() + done, bytes.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count == 0) errno = EIO;
+    if (count <= 0) return false;
+    done += static_cast<size_t>(count);
+  }
+  return true;
+}
+
+// Creates a new file in `folder` and says its path; -1 and errno when that fails. Its name does not depend on the
+// target's, which may already be as long as names can be; its mode is what the user's umask lets files be.
+int create_beside(const fs::path& folder, fs::path& path) {
+  static std::atomic<unsigned> counter{0};
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    path = folder / (".vamp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+    const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return fd;
+  }
+  return -1;
+}
+
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const fs::path& path, uint64_t limit) {
@@ -73,27 +98,37 @@ Result<std::vector<std::byte>> read_file(const fs::path& path, uint64_t limit) {
 Result<std::string> read_text(const fs::path& path, uint64_t limit) { return read_whole<std::string>(path, limit); }
 
 Status write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::string temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-  Descriptor file(::mkstemp(temporary.data()));
-  if (file.get() < 0) return fail(ErrorKind::io, path.string(), "", "cannot be written: " + system_reason());
-  const auto give_up = [&] {
-    Status status = fail(ErrorKind::io, path.string(), "", "cannot be written: " + system_reason());
-    ::unlink(temporary.c_str());
-    return status;
+  std::error_code code;
+  // A symbolic link stays one: what it points to is replaced.
+  const fs::path target = fs::is_symlink(path, code) ? fs::weakly_canonical(path, code) : path;
+  const auto give_up = [&path](std::string_view reason) {
+    return fail(ErrorKind::io, path.string(), "", "cannot be written: " + std::string(reason));
   };
-  for (size_t done = 0; done < bytes.size();) {
-    const ssize_t count = ::write(file.get(), bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return give_up();
-    done += static_cast<size_t>(count);
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) return give_up("it is a folder");
+  if (exists && ::access(target.c_str(), W_OK) != 0) return give_up(system_reason());
+  if (exists && !S_ISREG(old.st_mode)) {
+    // A device or a pipe is written to, never replaced by a file.
+    Descriptor device(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    if (device.get() < 0 || !write_all(device.get(), bytes) || device.close_now() != 0) return give_up(system_reason());
+    return {};
   }
-  // mkstemp makes the file private; a saved document is as open as the user's umask lets files be.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(file.get(), 0666 & ~mask) != 0 || ::fsync(file.get()) != 0 || file.close_now() != 0) return give_up();
-  if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up();
-  Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY));
+
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  fs::path temporary;
+  Descriptor file(create_beside(folder, temporary));
+  if (file.get() < 0) return give_up(system_reason());
+  // A file that was private, or open to a group, stays so.
+  const bool done = write_all(file.get(), bytes) && (!exists || ::fchmod(file.get(), old.st_mode & 07777) == 0) &&
+                    ::fsync(file.get()) == 0 && file.close_now() == 0 &&
+                    ::rename(temporary.c_str(), target.c_str()) == 0;
+  if (!done) {
+    const std::string reason = system_reason();
+    ::unlink(temporary.c_str());
+    return give_up(reason);
+  }
+  Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.get() >= 0) ::fsync(directory.get());
   return {};
 }
@@ -109,12 +144,14 @@ Result<fs::path> resolve_inside(const fs::path& base, std::string_view relative,
   };
   const fs::path path(relative);
   if (relative.empty() || relative.find('\0') != std::string_view::npos) return refuse("a file name");
-  if (path.is_absolute() || relative.find("://") != std::string_view::npos || relative.find('\\') != std::string_view::npos)
+  if (path.is_absolute() || relative.find("://") != std::string_view::npos ||
+      relative.find('\\') != std::string_view::npos)
     return refuse("a path relative to the file's folder");
   for (const auto& step : path)
     if (step == "..") return refuse("a path inside the file's folder");
   std::error_code code;
   const fs::path root = fs::weakly_canonical(base.empty() ? fs::path(".") : base, code);
+  if (code) return refuse("a path inside the file's folder");
   const fs::path full = fs::weakly_canonical(root / path, code);
   const auto [root_end, unused] = std::mismatch(root.begin(), root.end(), full.begin(), full.end());
   if (code || root_end != root.end()) return refuse("a path inside the file's folder");

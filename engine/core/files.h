@@ -1,13 +1,13 @@
 #pragma once
 // Reading whole files with a limit, writing them atomically, and where the program keeps its own.
-#include "engine/core/error.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "engine/core/error.h"
 
 namespace vamp {
 
@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 Result<std::vector<std::byte>> read_file(const fs::path& path, uint64_t limit);
 Result<std::string> read_text(const fs::path& path, uint64_t limit);
 
-// Temporary file in the same folder, fsync, rename: the old file stays whole until the new one is complete.
+// Temporary file in the same folder, fsync, rename: the old file stays whole until the new one is complete, keeps its
+// mode, and a symbolic link to it stays a link. Devices and pipes are written to directly. io when anything fails.
 Status write_file_atomically(const fs::path& path, std::span<const std::byte> bytes);
 Status write_text_atomically(const fs::path& path, std::string_view text);
 

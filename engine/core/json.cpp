@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -142,7 +143,15 @@ std::vector<std::string> JsonReader::keys(size_t limit) const {
 }
 
 float JsonReader::number(float low, float high) const {
-  return static_cast<float>(real(static_cast<double>(low), static_cast<double>(high)));
+  // Compared as floats: 0.1 in a file is the limit 0.1f, though as doubles it lies below it.
+  constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+  const auto value = static_cast<float>(real(-kMost, kMost));
+  if (value_ == nullptr || !value_->is_number()) return low;
+  if (!(value >= low && value <= high)) {
+    refuse(fmt::format("a number from {} to {}", low, high), fmt::format("{}", value));
+    return low;
+  }
+  return value;
 }
 
 double JsonReader::real(double low, double high) const {
