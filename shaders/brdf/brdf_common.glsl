@@ -72,9 +72,9 @@ real brdf_expm1(real x) {
   return SELECT(x < REAL(0.5), series, direct);
 }
 
-// The angle of (cosine c, sine s), both >= 0 and not both 0; Abramowitz and Stegun 4.4.49, 2e-8.
+// The angle of (cosine c, sine s), both >= 0; Abramowitz and Stegun 4.4.49, 2e-8.
 real brdf_angle(real s, real c) {
-  real x = min(s, c) / max(s, c);
+  real x = min(s, c) / max(max(s, c), REAL(1e-30));
   real x2 = x * x;
   real p = REAL(-0.0161657367) + x2 * REAL(0.0028662257);
   p = REAL(0.0429096138) + x2 * p;

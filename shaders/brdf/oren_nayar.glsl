@@ -22,21 +22,28 @@ real oren_nayar_full(real c1, real c2, real c3, real c4, vec3 wi, vec3 wo) {
   real oz = max(wo.z, BRDF_MIN_COS);
   real si = sqrt(wi.x * wi.x + wi.y * wi.y);
   real so = sqrt(wo.x * wo.x + wo.y * wo.y);
-  // Azimuths mean nothing near the normal: there cos(dphi) counts as 0.
+  // Azimuths mean nothing near the normal: there cos(dphi) counts as 0. 1 - |cos(dphi)| by the sine: it does not cancel.
   real ss = si * so;
   real d = wi.x * wo.x + wi.y * wo.y;
-  real cos_dphi = SELECT(ss > REAL(1e-12), clamp(d / max(ss, REAL(1e-12)), REAL(-1.0), REAL(1.0)), REAL(0.0));
-  // alpha is the larger angle, beta the smaller.
+  real cross = wi.x * wo.y - wi.y * wo.x;
+  bool defined = ss > REAL(1e-12);
+  real inv_ss = REAL(1.0) / max(ss, REAL(1e-12));
+  real cos_dphi = SELECT(defined, clamp(d * inv_ss, REAL(-1.0), REAL(1.0)), REAL(0.0));
+  real rest = SELECT(defined, (cross * inv_ss) * (cross * inv_ss) / (REAL(1.0) + abs(cos_dphi)), REAL(1.0));
+  // alpha is the larger angle, beta the smaller; delta = 1 - 2 beta / pi, small where both graze.
   real sa = max(si, so);
   real ca = min(iz, oz);
   real sb = min(si, so);
   real cb = max(iz, oz);
   real alpha = brdf_angle(sa, ca);
-  real beta = brdf_angle(sb, cb);
-  real b2 = beta * (REAL(2.0) / BRDF_PI);
-  real term2 = c2 * cos_dphi * (sa - SELECT(cos_dphi < REAL(0.0), b2 * b2 * b2, REAL(0.0)));
+  real delta = brdf_angle(cb, sb) * (REAL(2.0) / BRDF_PI);
+  real b2 = REAL(1.0) - delta;
+  real beta = b2 * (BRDF_PI / REAL(2.0));
+  // sin(alpha) - (2 beta / pi)^3, both near 1 at grazing
+  real backward = delta * (REAL(3.0) - delta * (REAL(3.0) - delta)) - ca * ca / (REAL(1.0) + sa);
+  real term2 = c2 * cos_dphi * SELECT(cos_dphi < REAL(0.0), backward, sa);
   real ab = alpha * beta;
-  real term3 = c3 * (REAL(1.0) - abs(cos_dphi)) * ab * ab;
+  real term3 = c3 * rest * ab * ab;
   // iz tan(beta) and iz tan((alpha + beta) / 2), finite at the horizon
   real tan_beta = iz / cb * sb;
   real tan_mean = iz / (iz + oz) * (si + so);

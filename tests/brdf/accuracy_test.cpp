@@ -1,0 +1,158 @@
+// How near the float text comes to the double text on the same float inputs, and the double text to the papers.
+#include <gtest/gtest.h>
+
+#include "engine/brdf/kernel.h"
+#include "tests/brdf/lobes.h"
+#include "tests/brdf/published.h"
+
+namespace vamp {
+namespace {
+
+using test::Directions;
+using test::lobes_of_width;
+using test::name_of;
+using test::rounded;
+
+constexpr double kWidths[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+
+double relative(double value, double truth) { return std::abs(value - truth) / std::max(std::abs(truth), 1e-300); }
+
+// Lafortune's exponent multiplies a rounding that a half vector does not have.
+double core_budget(const Lobe& lobe) { return lobe.model == Model::lafortune ? 1e-4 : 5e-6; }
+
+// Two models cross zero in the open hemisphere: there only the size of their terms can be a measure.
+double cancellation(const Lobe& lobe, vec3 wi, double top) {
+  if (lobe.model == Model::lafortune) return 2e-7 * top;
+  if (lobe.model == Model::oren_nayar && lobe.variant == kOrenNayarFull) return 2e-6 * lobe.params[0] * wi.z;
+  return 0;
+}
+
+bool is_default_variant(const Lobe& lobe) { return lobe.variant == model_row(lobe.model).default_variant; }
+
+struct Errors {
+  double core = 0, tail = 0, deep = 0;
+};
+
+// Lights drawn by the lobe itself, so that every sharpness is met at its peak and down its tail.
+Errors measure(const Lobe& lobe, Directions& random, double view_low, double view_high, int count) {
+  Errors worst;
+  for (int i = 0; i < count; ++i) {
+    const vec3 wo = rounded(random.grazing(view_low, view_high));
+    const LobeSample s = sample_lobe(lobe, dvec3(wo), random.uniform(), 1 - std::pow(10.0, -14 * random.uniform()));
+    if (!s.valid || s.wi.z < view_low) continue;
+    const vec3 wi = rounded(s.wi);
+    const double truth = brdf_f64::eval(lobe, dvec3(wi), dvec3(wo));
+    // Regions are those of f, not of fcos.
+    const double mirror = brdf_f64::eval(lobe, dvec3(-wo.x, -wo.y, wo.z), dvec3(wo)) / wo.z;
+    const double top = std::max(std::abs(mirror) * wi.z, std::abs(truth));
+    const double error = std::max(0.0, std::abs(brdf_f32::eval(lobe, wi, wo) - truth) - cancellation(lobe, wi, top));
+    if (truth >= 1e-3 * top) {
+      worst.core = std::max(worst.core, error / truth);
+    } else if (truth >= 1e-12 * top) {
+      worst.tail = std::max(worst.tail, error / truth);
+    } else {
+      worst.deep = std::max(worst.deep, error / top);
+    }
+  }
+  return worst;
+}
+
+TEST(Accuracy, ElementaryFunctionsAreGoodToTwoRoundings) {
+  Directions random(1);
+  for (int i = 0; i < 200000; ++i) {
+    const float a = static_cast<float>(std::pow(10.0, -20 + 32 * random.uniform()));
+    const float b = static_cast<float>(std::pow(10.0, -4 + 4 * random.uniform()));
+    EXPECT_LE(relative(brdf_f32::log2_ratio(a, b), brdf_f64::log2_ratio(a, b)), 4e-7) << a << " " << b;
+    const float x = static_cast<float>(-115 + 230 * random.uniform());
+    EXPECT_LE(relative(brdf_f32::exp2(x), brdf_f64::exp2(x)), 2e-7) << x;
+  }
+  EXPECT_EQ(brdf_f32::exp2(0), 1.0f);
+  EXPECT_EQ(brdf_f32::log2_ratio(0, 0.3f), 0.0f);
+}
+
+TEST(Accuracy, DoubleFormsEqualThePapers) {
+  Directions random(2);
+  for (double width : kWidths) {
+    for (const Lobe& lobe : lobes_of_width(width)) {
+      for (int i = 0; i < 200; ++i) {
+        const dvec3 wo = random.grazing(0.02, 1);
+        const LobeSample s = sample_lobe(lobe, wo, random.uniform(), random.uniform());
+        const dvec3 wi = s.valid && (i & 1) ? glm::normalize(s.wi) : random.grazing(0.02, 1);
+        const double truth = test::published_fcos(lobe, wi, wo);
+        EXPECT_LE(std::abs(fcos(lobe, wi, wo) - truth), 2e-9 * std::abs(truth) + 1e-30)
+            << name_of(lobe) << " truth " << truth;
+      }
+    }
+  }
+}
+
+TEST(Accuracy, CoreAndTailStayWithinBudget) {
+  Directions random(3);
+  for (double width : kWidths) {
+    for (const Lobe& lobe : lobes_of_width(width)) {
+      const Errors worst = measure(lobe, random, 0.174, 1, 20000);
+      EXPECT_LE(worst.core, core_budget(lobe)) << name_of(lobe);
+      EXPECT_LE(worst.tail, 1e-4) << name_of(lobe);
+      EXPECT_LE(worst.deep, 1e-12) << name_of(lobe);
+    }
+  }
+}
+
+TEST(Accuracy, GrazingStaysWithinBudget) {
+  Directions random(4);
+  for (double width : kWidths) {
+    for (const Lobe& lobe : lobes_of_width(width)) {
+      if (!is_default_variant(lobe)) continue;
+      EXPECT_LE(measure(lobe, random, 1e-6, 0.174, 20000).core, std::max(2e-5, core_budget(lobe))) << name_of(lobe);
+    }
+  }
+}
+
+TEST(Accuracy, LobeCodeEqualsItsModelTimesTheWindow) {
+  Directions random(5);
+  for (double width : kWidths) {
+    for (const Lobe& lobe : lobes_of_width(width)) {
+      const PackedLobe packed = pack_lobe(lobe);
+      const bool uncut = lobe.model == Model::lambert || lobe.model == Model::oren_nayar;
+      for (int i = 0; i < 2000; ++i) {
+        const vec3 wo = rounded(random.grazing(1e-4, 1));
+        const LobeSample s =
+            sample_lobe(lobe, wo, static_cast<float>(random.uniform()), static_cast<float>(random.uniform()));
+        const vec3 wi = rounded(s.valid && (i & 1) ? s.wi : random.grazing(1e-4, 1));
+        const double window = uncut ? 1 : std::clamp(wo.z / 0.03, 0.0, 1.0);
+        const double model = window * brdf_f64::eval(lobe, dvec3(wi), dvec3(wo));
+        const double top = window * std::abs(brdf_f64::eval(lobe, dvec3(-wo.x, -wo.y, wo.z), dvec3(wo)));
+        const double slack = 1e-12 * top + cancellation(lobe, wi, top);
+        // k is stored in float: a rounding of it moves the exponent by 80 of them at most.
+        EXPECT_LE(std::abs(lobe_value(packed, dvec3(wi), dvec3(wo)) - model), 1e-4 * std::abs(model) + slack)
+            << name_of(lobe);
+        EXPECT_LE(std::abs(lobe_value(packed, wi, wo) - model), 1e-4 * std::abs(model) + slack)
+            << name_of(lobe) << " wi " << wi.x << " " << wi.y << " " << wi.z << " wo " << wo.x << " " << wo.y << " "
+            << wo.z;
+      }
+    }
+  }
+}
+
+TEST(Accuracy, LobeCodeIsExactInItsCore) {
+  Directions random(6);
+  for (double width : kWidths) {
+    for (const Lobe& lobe : lobes_of_width(width)) {
+      const PackedLobe packed = pack_lobe(lobe);
+      double worst = 0;
+      for (int i = 0; i < 2000; ++i) {
+        const vec3 wo = rounded(random.grazing(0.174, 1));
+        const LobeSample s = sample_lobe(lobe, dvec3(wo), random.uniform(), 0.999 * random.uniform());
+        if (!s.valid || s.wi.z < 0.05) continue;
+        const vec3 wi = rounded(s.wi);
+        const double truth = brdf_f64::eval(lobe, dvec3(wi), dvec3(wo));
+        if (truth < 1e-3 * brdf_f64::eval(lobe, dvec3(-wo.x, -wo.y, wo.z), dvec3(wo))) continue;
+        worst = std::max(worst, relative(lobe_value(packed, wi, wo), truth));
+      }
+      EXPECT_LE(worst, core_budget(lobe)) << name_of(lobe);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vamp
