@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace vamp::window {
 
@@ -120,13 +121,16 @@ uint32_t sample(const Texture& texture, float u, float v) {
   return out;
 }
 
-uint32_t constant_colour(const CpuRasteriser::Primitive& primitive) {
+uint32_t constant_texel(const CpuRasteriser::Primitive& primitive) {
   const Texture& texture = *primitive.texture;
-  const ImDrawVert& v = *primitive.v[0];
-  const uint32_t tint = swap_red_blue(v.col);
-  const uint32_t c =
-      sample(texture, v.uv.x * static_cast<float>(texture.width), v.uv.y * static_cast<float>(texture.height));
-  return modulate(c, tint);
+  const ImVec2 uv = primitive.v[0]->uv;
+  return sample(texture, uv.x * static_cast<float>(texture.width), uv.y * static_cast<float>(texture.height));
+}
+
+uint32_t constant_colour(const CpuRasteriser::Primitive& primitive) {
+  const uint32_t tint = swap_red_blue(primitive.v[0]->col);
+  const uint32_t texel_colour = constant_texel(primitive);
+  return texel_colour == 0xffffffffu ? tint : modulate(texel_colour, tint);
 }
 
 void fill(const PixelRect& clip, uint32_t colour, const Canvas& canvas) {
@@ -181,7 +185,9 @@ struct Point {
 };
 
 Point snap(const ImVec2& p) {
-  const auto one = [](float t) { return static_cast<int64_t>(std::lround(std::clamp(t, -32768.0f, 32767.0f) * 256)); };
+  const auto one = [](float t) {
+    return static_cast<int64_t>(std::floor(std::clamp(t, -32768.0f, 32767.0f) * 256 + 0.5f));
+  };
   return {one(p.x), one(p.y)};
 }
 
@@ -224,33 +230,63 @@ Plane plane_of(const ImDrawVert* const* v, float a, float b, float c) {
   return {a - v[0]->pos.x * gx - v[0]->pos.y * gy, gx, gy};
 }
 
-void shade_span(const CpuRasteriser::Primitive& primitive, uint32_t* row, int y, int first, int last) {
-  const ImDrawVert* const* v = primitive.v;
-  const Texture& texture = *primitive.texture;
-  Plane channel[4];
-  for (int k = 0; k < 4; ++k) {
-    const int shift = k * 8;
-    const auto part = [&](int i) { return static_cast<float>(swap_red_blue(v[i]->col) >> shift & 0xffu); };
-    channel[k] = plane_of(v, part(0), part(1), part(2));
-  }
-  const float w = static_cast<float>(texture.width), h = static_cast<float>(texture.height);
-  const Plane u = plane_of(v, v[0]->uv.x * w, v[1]->uv.x * w, v[2]->uv.x * w);
-  const Plane t = plane_of(v, v[0]->uv.y * h, v[1]->uv.y * h, v[2]->uv.y * h);
-  const bool flat = u.gx == 0 && u.gy == 0 && t.gx == 0 && t.gy == 0;
-  const uint32_t flat_texel = flat ? sample(texture, u.c, t.c) : 0;
-  const float yc = static_cast<float>(y) + 0.5f;
-  for (int x = first; x <= last; ++x) {
-    const float xc = static_cast<float>(x) + 0.5f;
-    uint32_t c = 0;
-    for (int k = 0; k < 4; ++k) {
-      const float value = std::clamp(channel[k].at(xc, yc) + 0.5f, 0.0f, 255.0f);
-      c |= static_cast<uint32_t>(value) << (8 * k);
-    }
-    const uint32_t s = flat ? flat_texel : sample(texture, u.at(xc, yc), t.at(xc, yc));
-    if (s != 0xffffffffu) c = modulate(c, s);
-    row[x] = blend(row[x], c, c >> 24);
-  }
+bool same_texel(const ImDrawVert* const* v) {
+  return v[1]->uv.x == v[0]->uv.x && v[1]->uv.y == v[0]->uv.y && v[2]->uv.x == v[0]->uv.x && v[2]->uv.y == v[0]->uv.y;
 }
+
+// Colour and texture coordinates over a triangle.
+class Gradient {
+ public:
+  explicit Gradient(const CpuRasteriser::Primitive& primitive) : texture_(*primitive.texture) {
+    const ImDrawVert* const* v = primitive.v;
+    flat_ = same_texel(v);
+    if (flat_) {
+      texel_ = constant_texel(primitive);
+    } else {
+      const float w = static_cast<float>(texture_.width), h = static_cast<float>(texture_.height);
+      u_ = plane_of(v, v[0]->uv.x * w, v[1]->uv.x * w, v[2]->uv.x * w);
+      v_ = plane_of(v, v[0]->uv.y * h, v[1]->uv.y * h, v[2]->uv.y * h);
+    }
+    // The soft edges of shapes: one colour that fades.
+    colour_ = swap_red_blue(v[0]->col);
+    fades_ = flat_ && texel_ == 0xffffffffu && ((v[0]->col ^ v[1]->col) | (v[0]->col ^ v[2]->col)) << 8 == 0;
+    for (int k = fades_ ? 3 : 0; k < 4; ++k) {
+      const auto part = [&](int i) { return static_cast<float>(swap_red_blue(v[i]->col) >> (k * 8) & 0xffu); };
+      channel_[k] = plane_of(v, part(0), part(1), part(2));
+    }
+  }
+
+  void draw(uint32_t* row, int y, int first, int last) const {
+    const float yc = static_cast<float>(y) + 0.5f;
+    if (fades_) {
+      for (int x = first; x <= last; ++x) {
+        const float alpha = std::clamp(channel_[3].at(static_cast<float>(x) + 0.5f, yc) + 0.5f, 0.0f, 255.0f);
+        row[x] = blend(row[x], colour_, static_cast<uint32_t>(static_cast<int>(alpha)));
+      }
+      return;
+    }
+    for (int x = first; x <= last; ++x) {
+      const float xc = static_cast<float>(x) + 0.5f;
+      uint32_t c = 0;
+      for (int k = 0; k < 4; ++k) {
+        const float value = std::clamp(channel_[k].at(xc, yc) + 0.5f, 0.0f, 255.0f);
+        c |= static_cast<uint32_t>(static_cast<int>(value)) << (8 * k);
+      }
+      const uint32_t s = flat_ ? texel_ : sample(texture_, u_.at(xc, yc), v_.at(xc, yc));
+      if (s != 0xffffffffu) c = modulate(c, s);
+      row[x] = blend(row[x], c, c >> 24);
+    }
+  }
+
+ private:
+  const Texture& texture_;
+  Plane channel_[4];
+  Plane u_, v_;
+  bool flat_;
+  bool fades_;
+  uint32_t texel_ = 0;
+  uint32_t colour_;
+};
 
 }  // namespace
 
@@ -268,11 +304,10 @@ void draw_triangle(const CpuRasteriser::Primitive& primitive, const PixelRect& c
     const bool top_left = dy < 0 || (dy == 0 && dx > 0);
     edges[i] = {a, dx, dy, top_left ? 0 : -1};
   }
-  const auto same = [&](int i) {
-    return v[i]->col == v[0]->col && v[i]->uv.x == v[0]->uv.x && v[i]->uv.y == v[0]->uv.y;
-  };
-  const bool constant = same(1) && same(2);
+  const bool constant = v[1]->col == v[0]->col && v[2]->col == v[0]->col && same_texel(v);
   const uint32_t colour = constant ? constant_colour(primitive) : 0;
+  std::optional<Gradient> gradient;
+  if (!constant) gradient.emplace(primitive);
   for (int y = clip.y0; y < clip.y1; ++y) {
     int64_t first = clip.x0, last = clip.x1 - 1;
     for (const Edge& edge : edges) edge.narrow(y, first, last);
@@ -281,7 +316,7 @@ void draw_triangle(const CpuRasteriser::Primitive& primitive, const PixelRect& c
     if (constant) {
       blend_span(row + first, static_cast<int>(last - first + 1), colour);
     } else {
-      shade_span(primitive, row, y, static_cast<int>(first), static_cast<int>(last));
+      gradient->draw(row, y, static_cast<int>(first), static_cast<int>(last));
     }
   }
 }

@@ -24,6 +24,9 @@ void draw_picture(const CpuRasteriser::Primitive& primitive, const PixelRect& cl
 void draw_triangle(const CpuRasteriser::Primitive& primitive, const PixelRect& clip, const Canvas& canvas);
 void fill(const PixelRect& clip, uint32_t colour, const Canvas& canvas);
 
+// What the texture holds at the first vertex.
+uint32_t constant_texel(const CpuRasteriser::Primitive& primitive);
+
 // The constant colour of a primitive whose vertices share one uv and colour.
 uint32_t constant_colour(const CpuRasteriser::Primitive& primitive);
 

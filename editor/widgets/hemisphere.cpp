@@ -52,7 +52,7 @@ bool drag_disk(const char* id, ImVec2 centre, float radius, float max_tilt, Tilt
 void draw_disk(ImVec2 centre, float radius, float max_tilt, const Tilt& direction, bool changed, bool active) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   // A ball lit from above, as nested disks: neutral, so that it is no colour among the colours.
-  const int rings = 10;
+  const int rings = 5;
   for (int i = 0; i < rings; ++i) {
     const float t = static_cast<float>(i) / rings;
     const int grey = 58 + static_cast<int>(34 * t);
@@ -117,7 +117,9 @@ EditOf<Tilt> direction_row(const char* label, Tilt& direction, const Tilt& initi
   row.left = centre.x + radius + px(14);
   row.top += px(16);
   row.control = row.left + px(64);
-  row_label(row, label, state.locked);
+  RowColumns caption = row;
+  caption.control = row.number_end;
+  row_label(caption, label, state.locked);
   Parameter tilt;
   tilt.label = "Tilt";
   tilt.high = max_tilt;

@@ -11,7 +11,9 @@
 namespace vamp::ui {
 
 ThumbnailGrid::ThumbnailGrid(float size) : origin_(ImGui::GetCursorScreenPos()) {
-  const float width = std::max(ImGui::GetContentRegionAvail().x, px(24));
+  // Always as if the panel scrolled: a bar that makes the pictures smaller would remove its own cause and flicker.
+  const float bar = ImGui::GetCurrentWindow()->ScrollbarY ? 0 : ImGui::GetStyle().ScrollbarSize;
+  const float width = std::max(ImGui::GetContentRegionAvail().x - bar, px(24));
   spacing_ = px(6);
   columns_ = std::max(1, static_cast<int>((width + spacing_) / (px(size) + spacing_)));
   cell_ = std::floor((width + spacing_) / static_cast<float>(columns_) - spacing_);

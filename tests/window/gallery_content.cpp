@@ -83,6 +83,7 @@ struct Gallery::State {
   ui::Dock dock{default_layout};
   ui::Question question;
   ImTextureID viewport = nullptr;
+  std::vector<uint8_t> picture;  // in place of the renderer's output
   std::vector<Preset> presets;
   std::vector<Basis> bases{{"body", "Oren-Nayar", vec3(0.25f, 0.07f, 0.02f), 1, 0.61f},
                            {"grain sheen", "Ward", vec3(0.69f, 0.58f, 0.48f), 1.15f, 0.24f},
@@ -132,7 +133,9 @@ void Gallery::State::make_viewport() {
       pixels.insert(pixels.end(), {grey, grey, grey, 255});
     }
   }
-  viewport = textures.add(kWidth, kHeight, window::PixelFormat::rgba8, pixels);
+  viewport = textures.add_external();
+  picture = std::move(pixels);
+  textures.set_external(viewport, kWidth, kHeight, window::PixelFormat::bgra8, picture.data(), kWidth * 4);
 }
 
 void Gallery::State::add_actions() {
@@ -219,11 +222,11 @@ void Gallery::State::draw_parts() {
 
 void Gallery::State::draw_bases() {
   if (!ImGui::BeginTable("bases", 5)) return;
-  ImGui::TableSetupColumn("M S", ImGuiTableColumnFlags_WidthFixed, ui::px(40));
+  ImGui::TableSetupColumn("M S", ImGuiTableColumnFlags_WidthFixed, ui::px(38));
   ImGui::TableSetupColumn("Basis", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-  ImGui::TableSetupColumn("Model", ImGuiTableColumnFlags_WidthStretch, 1.1f);
-  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, ui::px(64));
-  ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, ui::px(112));
+  ImGui::TableSetupColumn("Model", ImGuiTableColumnFlags_WidthStretch, 1.2f);
+  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, ui::px(60));
+  ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, ui::px(84));
   ImGui::TableNextRow();
   for (const char* head : {"M S", "Basis", "Model", "Weight", "Energy"}) {
     ImGui::TableNextColumn();
