@@ -45,8 +45,8 @@ struct PipelineDesc {
   std::vector<SpecConstant> constants;
 };
 
-// One kernel, specialised. May be made on any thread. lavapipe compiles at the first dispatch, not here
-// (reference: a background compile is a dummy dispatch on Device::sibling()).
+// One kernel, specialised. May be made on any thread. lavapipe compiles at the first dispatch, not here: to compile in
+// the background, dispatch once on a Device::sibling(), whose result the driver's disk cache keeps.
 class ComputePipeline {
  public:
   ComputePipeline() = default;
