@@ -15,6 +15,9 @@
 namespace vamp {
 namespace {
 
+// Of zlib, 0 to 9.
+constexpr int kPngCompression = 3;
+
 Status check_finite(const Image& image) {
   if (const auto bad = first_not_finite(image))
     return fail(ErrorKind::failed, "", bad->first, "a finite number to save", bad->second);
@@ -46,6 +49,7 @@ Result<std::vector<std::byte>> encode(const char* plugin, OIIO::ImageSpec spec, 
 Result<std::vector<std::byte>> encode_codes(int width, int height, int channels, OIIO::TypeDesc type, const void* codes,
                                             const PngOptions& options) {
   OIIO::ImageSpec spec(width, height, channels, type);
+  spec.attribute("png:compressionLevel", kPngCompression);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   if (options.space == ColourSpace::srgb) spec.attribute("oiio:ColorSpace", "sRGB");
   VAMP_TRY(const auto bytes, encode("png", std::move(spec), type, codes));
