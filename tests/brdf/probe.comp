@@ -1,25 +1,30 @@
 #version 460
-// Every function of shaders/brdf called once: compiled by the build for several LOBE_MODELS.
+// Every function of shaders/brdf called once: compiled by the build for several LOBE_MODELS, run by gpu_test.cpp.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
 
-#ifdef SPECIALISED
-layout(constant_id = 0) const uint kModels = 127u;
+#ifndef LOBE_MODELS
+layout(constant_id = 0) const uint kModels = 2047u;
 #define LOBE_MODELS kModels
 #endif
 #include "shaders/brdf/lobe.glsl"
 #include "shaders/brdf/models.glsl"
 
+// tests/brdf/gpu_test.cpp has the same in C++; every row of four words is full.
 struct Probe {
-  vec3 wi, wo;
-  vec4 k;
+  vec3 wi;
   uint tag;
-  int model, variant;
+  vec3 wo;
+  int model;
+  vec4 k;
+  int variant;
   float p0, p1, p2, p3, p4, p5;
+  float u0, u1;
   float lobe, value, density;
   vec3 drawn;
-  float pdf, weight;
   int valid;
+  float pdf, weight;
+  float unused0, unused1;
 };
 layout(std430, binding = 0) buffer Probes { Probe probes[]; };
 
@@ -33,7 +38,7 @@ void main() {
   probes[i].density = brdf_pdf(b, p.wi, p.wo);
   vec3 drawn;
   float pdf, weight;
-  bool valid = brdf_sample(b, p.wo, p.wi.xy * 0.5 + 0.5, drawn, pdf, weight);
+  bool valid = brdf_sample(b, p.wo, vec2(p.u0, p.u1), drawn, pdf, weight);
   probes[i].drawn = drawn;
   probes[i].pdf = pdf;
   probes[i].weight = weight;
