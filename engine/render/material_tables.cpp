@@ -146,6 +146,17 @@ std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables&
   return rows;
 }
 
+size_t texel_at(const frame::PartRow& row, const vec2& uv) {
+  const auto place = [](float p, uint32_t size) {
+    const float period = p - std::floor(p);
+    return std::min(static_cast<uint32_t>(period * static_cast<float>(size)), size - 1);
+  };
+  const uint32_t width = row.size & 0xffffu, height = row.size >> 16;
+  const uint32_t x = place(row.uv_xx * uv.x + row.uv_xy * uv.y + row.offset_x, width);
+  const uint32_t y = place(row.uv_yx * uv.x + row.uv_yy * uv.y + row.offset_y, height);
+  return static_cast<size_t>(y) * width + x;
+}
+
 uint32_t lobe_models_in_view(const Project& project) {
   uint32_t models = 0;
   const std::vector<bool> used = materials_in_view(project);

@@ -45,6 +45,9 @@ ChangedRows apply_edits(MaterialTables& tables, const Project& project, size_t m
 std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene,
                                       const MaterialTables& materials);
 
+// Index of the texel nearest to texture coordinates of a part, as the kernels find it.
+size_t texel_at(const frame::PartRow& row, const vec2& uv);
+
 // The kernel's constants that follow from the materials in view: a bit per model, and SPEC_RESIDUAL.
 uint32_t lobe_models_in_view(const Project& project);
 uint32_t residual_in_view(const Project& project);

@@ -144,8 +144,8 @@ Result<Change> Renderer::set_project(std::shared_ptr<const Project> next) {
 
   bool new_tables = false;
   if (geometry_differs(now)) {
-    scene_tables_ = build_scene_tables(*now.scene, visible_parts(now));
-    VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, scene_tables_, key_.storage_fetch));
+    scene_tables_ = std::make_shared<SceneTables>(build_scene_tables(*now.scene, visible_parts(now)));
+    VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, *scene_tables_, key_.storage_fetch));
     change.bytes += bytes;
     new_tables = true;
     restart("geometry");
@@ -171,7 +171,7 @@ Result<Change> Renderer::set_project(std::shared_ptr<const Project> next) {
       if (!rows.bases.empty() || !rows.clusters.empty()) restart("material edited");
     }
   }
-  const std::vector<frame::PartRow> rows = part_rows(now, scene_tables_, material_tables_);
+  const std::vector<frame::PartRow> rows = vamp::part_rows(now, *scene_tables_, material_tables_);
   if (new_tables || rows.size() != part_rows_.size()) {
     VAMP_TRY(const uint64_t bytes, gpu_.send_parts(*device_, rows));
     change.bytes += bytes;
@@ -211,7 +211,7 @@ Result<Change> Renderer::set_project(std::shared_ptr<const Project> next) {
   key.ambient = any_lit(now) || (key.light_count == 0 && !key.environment);
   key.mirror = std::any_of(now.parts.begin(), now.parts.end(),
                            [](const PartState& part) { return part.visible && part.mirror_f0 > 0; });
-  key.alpha_mask = !scene_tables_.alpha.empty();
+  key.alpha_mask = !scene_tables_->alpha.empty();
   key.residual = residual_in_view(now);
   key.lobe_models = lobe_models_in_view(now);
   key.four_taps = now.settings.tap == TexelTap::four;
@@ -259,8 +259,8 @@ uint64_t Renderer::send_frame() {
   p.ao_radius = now.settings.ao_radius > 0 ? now.settings.ao_radius : kUnbounded;
   p.offset_scale = now.scene->bounds.radius() * 1e-6f;
   p.part_count = static_cast<uint32_t>(now.parts.size());
-  p.grid_origin = scene_tables_.bvh.grid_origin;
-  p.grid_scale = scene_tables_.bvh.grid_scale;
+  p.grid_origin = scene_tables_->bvh.grid_origin;
+  p.grid_scale = scene_tables_->bvh.grid_scale;
   p.picture_width = static_cast<uint32_t>(picture_width_);
   p.picture_height = static_cast<uint32_t>(picture_height_);
   p.region_x = static_cast<uint32_t>(region_.x);

@@ -41,6 +41,7 @@ class Renderer {
 
   // Tiles of the region, TILE_SIDE pixels a side, in the order in which they are best refined (from the middle).
   int tile_count() const { return static_cast<int>(tiles_.size()); }
+  const Region& tile(int index) const { return tiles_[static_cast<size_t>(index)]; }
   uint32_t samples_of(int tile) const { return samples_[static_cast<size_t>(tile)]; }
   // Of the least refined tile.
   uint32_t samples() const;
@@ -75,7 +76,9 @@ class Renderer {
 
   const Region& region() const { return region_; }
   const Project& project() const { return *project_; }
-  const Bvh& bvh() const { return scene_tables_.bvh; }
+  // Shared, so that a picking thread may hold on to them.
+  const std::shared_ptr<const SceneTables>& scene_tables() const { return scene_tables_; }
+  const std::vector<frame::PartRow>& part_rows() const { return part_rows_; }
   const KernelKey& key() const { return key_; }
   // Rays that one sample of the region asks for, hits taken as `coverage` of its pixels.
   double rays_per_sample(double coverage) const;
@@ -92,7 +95,7 @@ class Renderer {
   gpu::Device* device_;
   Kernels kernels_;
   std::shared_ptr<const Project> project_;
-  SceneTables scene_tables_;
+  std::shared_ptr<const SceneTables> scene_tables_;
   MaterialTables material_tables_;
   std::vector<frame::PartRow> part_rows_;
   std::vector<size_t> lights_;  // which of the project's lights are traced
