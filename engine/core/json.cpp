@@ -14,11 +14,12 @@ namespace vamp {
 namespace {
 
 constexpr int kMaxDepth = 32;
-constexpr size_t kMaxString = 4096;
+constexpr size_t kMaxKey = 4096;
 
 // Watches a parse without building anything: depth, duplicate keys and string lengths are known before memory is spent.
 class StrictWatcher : public nlohmann::json_sax<Json> {
  public:
+  explicit StrictWatcher(size_t string_limit) : string_limit_(string_limit) {}
   std::string problem;
 
   bool null() override { return true; }
@@ -28,7 +29,9 @@ class StrictWatcher : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t value, const string_t&) override {
     return std::isfinite(value) || stop("a number is not finite");
   }
-  bool string(string_t& value) override { return value.size() <= kMaxString || stop("a string is over 4 KiB"); }
+  bool string(string_t& value) override {
+    return value.size() <= string_limit_ || stop(fmt::format("a string is over {} KiB", string_limit_ / 1024));
+  }
   bool binary(binary_t&) override { return stop("binary value"); }
   bool start_object(size_t) override {
     keys_.emplace_back();
@@ -45,7 +48,7 @@ class StrictWatcher : public nlohmann::json_sax<Json> {
     return true;
   }
   bool key(string_t& value) override {
-    if (value.size() > kMaxString) return stop("a key is over 4 KiB");
+    if (value.size() > kMaxKey) return stop("a key is over 4 KiB");
     return keys_.back().insert(value).second || stop("the key \"" + value + "\" stands twice");
   }
   bool parse_error(size_t position, const std::string&, const nlohmann::detail::exception& error) override {
@@ -58,6 +61,7 @@ class StrictWatcher : public nlohmann::json_sax<Json> {
     if (problem.empty()) problem = std::move(why);
     return false;
   }
+  size_t string_limit_;
   int depth_ = 0;
   std::vector<std::set<std::string>> keys_;
 };
@@ -70,8 +74,8 @@ void check_finite(const Json& json) {
 
 }  // namespace
 
-Result<Json> parse_json(std::string_view text, std::string_view file) {
-  StrictWatcher watcher;
+Result<Json> parse_json(std::string_view text, std::string_view file, size_t string_limit) {
+  StrictWatcher watcher(string_limit);
   if (!Json::sax_parse(text.begin(), text.end(), &watcher))
     return fail(ErrorKind::bad_input, file, "", "valid JSON", watcher.problem);
   return Json::parse(text.begin(), text.end());

@@ -13,8 +13,9 @@ namespace vamp {
 
 using Json = nlohmann::ordered_json;
 
-// Parses `text`; `file` is for the message. Refuses nesting deeper than 32, duplicate keys and strings over 4 KiB.
-Result<Json> parse_json(std::string_view text, std::string_view file);
+// Parses `text`; `file` is for the message. Refuses nesting deeper than 32, duplicate keys and strings over
+// `string_limit` bytes (glTF may hold whole buffers as data: URIs; keys stay at 4 KiB).
+Result<Json> parse_json(std::string_view text, std::string_view file, size_t string_limit = 4096);
 
 // Two-space indentation, keys in the order of insertion, shortest digits that read back as the same number.
 // CHECKs that every number is finite (nlohmann would write null).
