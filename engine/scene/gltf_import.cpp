@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <optional>
@@ -29,38 +27,6 @@ constexpr size_t kMaxTriangles = 30000000;
 constexpr size_t kMaxVertices = 60000000;
 // Beyond this a float no longer resolves a millimetre, nor does squaring it stay far from overflow.
 constexpr double kMaxCoordinate = 1e9;
-
-glm::dmat4 local_matrix(const tinygltf::Node& node) {
-  if (node.matrix.size() == 16) return glm::make_mat4(node.matrix.data());
-  glm::dmat4 m(1.0);
-  if (node.rotation.size() == 4) {
-    const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-    if (glm::length(q) > 1e-9) m = glm::mat4_cast(glm::normalize(q));
-  }
-  if (node.scale.size() == 3)
-    for (int k = 0; k < 3; ++k) m[k] *= node.scale[static_cast<size_t>(k)];
-  if (node.translation.size() == 3)
-    m[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
-  return m;
-}
-
-// Lists, strips and fans as separate triangles, in the winding that glTF 2.0, section 3.7.2.1 gives them.
-std::vector<uvec3> triangles_of(const std::vector<uint32_t>& indices, int mode) {
-  std::vector<uvec3> triangles;
-  const size_t n = indices.size();
-  if (mode == TINYGLTF_MODE_TRIANGLES) {
-    triangles.reserve(n / 3);
-    for (size_t i = 0; i + 2 < n; i += 3) triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
-  } else {
-    for (size_t i = 0; i + 2 < n; ++i) {
-      if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
-        triangles.emplace_back(indices[0], indices[i + 1], indices[i + 2]);
-      else
-        triangles.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
-    }
-  }
-  return triangles;
-}
 
 class Importer {
  public:
@@ -137,16 +103,44 @@ class Importer {
     std::vector<Instance> open;
     for (const int root : root_nodes()) open.push_back({root, glm::dmat4(1.0)});
     std::reverse(open.begin(), open.end());
-    size_t done = 0;
+    std::vector<Instance> visits;
     while (!open.empty()) {
       const Instance parent = open.back();
       open.pop_back();
       const tinygltf::Node& node = model_.nodes[static_cast<size_t>(parent.node)];
       const glm::dmat4 world = parent.world * local_matrix(node);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.push_back({*child, world});
-      VAMP_CHECK_STATUS(read_node(parent.node, node, world));
+      visits.push_back({parent.node, world});
+    }
+    VAMP_CHECK_STATUS(check_total(visits));
+    for (size_t i = 0; i < visits.size(); ++i) {
+      stage("Reading meshes", 0.2f + 0.6f * static_cast<float>(i) / static_cast<float>(visits.size()));
+      VAMP_CHECK_STATUS(read_node(visits[i].node, model_.nodes[static_cast<size_t>(visits[i].node)], visits[i].world));
       VAMP_CHECK_STATUS(go_on());
-      stage("Reading meshes", 0.2f + 0.6f * static_cast<float>(++done) / static_cast<float>(model_.nodes.size()));
+    }
+    return {};
+  }
+
+  // Instances and shared accessors multiply what a small file holds: counted before memory is spent.
+  Status check_total(const std::vector<Instance>& visits) const {
+    size_t triangles = 0;
+    size_t vertices = 0;
+    for (const Instance& visit : visits) {
+      const int mesh = model_.nodes[static_cast<size_t>(visit.node)].mesh;
+      if (mesh < 0) continue;
+      for (const tinygltf::Primitive& p : model_.meshes[static_cast<size_t>(mesh)].primitives) {
+        const int position = attribute(p, "POSITION");
+        if (position < 0) continue;
+        const size_t count = accessor_count(source_, position);
+        const size_t corners = p.indices >= 0 ? accessor_count(source_, p.indices) : count;
+        triangles += p.mode > TINYGLTF_MODE_TRIANGLES ? corners : corners / 3;
+        vertices += count;
+        if (triangles > kMaxTriangles || vertices > kMaxVertices)
+          return fail(
+              ErrorKind::bad_input, gltf_.file, fmt::format("meshes[{}]", mesh),
+              fmt::format("at most {} triangles and {} vertices with all instances", kMaxTriangles, kMaxVertices),
+              "more");
+      }
     }
     return {};
   }
@@ -189,15 +183,7 @@ class Importer {
     }
     if (!p.targets.empty()) say(fmt::format("{}: morph targets are left out", place));
 
-    // Instances multiply what a small file holds: count before spending memory.
     const size_t vertices = accessor_count(source_, attribute(p, "POSITION"));
-    const size_t corners = p.indices >= 0 ? accessor_count(source_, p.indices) : vertices;
-    triangles_ += mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
-    vertices_ += vertices;
-    if (triangles_ > kMaxTriangles || vertices_ > kMaxVertices)
-      return fail(ErrorKind::bad_input, gltf_.file, place,
-                  fmt::format("at most {} triangles and {} vertices", kMaxTriangles, kMaxVertices), "more");
-
     Mesh mesh;
     VAMP_TRY(mesh.positions, read_vec3(source_, attribute(p, "POSITION")));
     std::vector<uint32_t> indices(p.indices >= 0 ? 0 : vertices);
@@ -398,7 +384,6 @@ class Importer {
   std::vector<bool> all_generated_;        // of each part: no UVs in the file at all
   std::set<std::string> said_;
   std::vector<Instance> cameras_;
-  size_t triangles_ = 0, vertices_ = 0;
 };
 
 }  // namespace
