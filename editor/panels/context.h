@@ -1,0 +1,48 @@
+#pragma once
+// What panels work with. They read the model and emit named edits through the document; they never write the project.
+#include "editor/model/document.h"
+#include "editor/model/preset_library.h"
+#include "editor/model/selection.h"
+#include "engine/material/preset.h"
+#include "engine/render/session.h"
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace vamp::ui {
+
+enum class Tool { pick, orbit };
+
+// The picture as the viewport shows it: textures that the application keeps up to date.
+struct ViewportTextures {
+  ImTextureID picture = nullptr;   // the rendered picture, drawn 1:1
+  ImTextureID outline = nullptr;   // RGBA overlay: outlines of the selection and of what the mouse is over; may be null
+  int width = 0, height = 0;
+};
+
+// One for the whole editor; references stay valid while it runs.
+struct PanelContext {
+  Document& document;
+  Selection& selection;
+  PresetLibrary& presets;
+
+  // The renderer: null until it runs. Status is refreshed once a frame.
+  RenderSession* session = nullptr;
+  RenderStatus status;
+  ViewportTextures viewport;
+  Tool tool = Tool::pick;
+  bool show_outlines = true;
+
+  // Asked by panels, done by the application.
+  std::function<void(int width, int height)> resize_viewport;                    // in pixels, when its panel changed size
+  std::function<ImTextureID(const PresetInfo&)> thumbnail;                       // null texture: none
+  std::function<void(const std::filesystem::path&, int part)> assign_preset;     // loads it and puts it on a part
+  std::function<void(int material)> save_preset_as;                              // opens the dialog for a name
+  std::function<void()> choose_environment;                                      // opens the file dialog
+  std::function<void(const std::string& action)> run;                            // an action of the registry by its id
+};
+
+}  // namespace vamp::ui
