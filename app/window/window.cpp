@@ -1,5 +1,6 @@
 #include "app/window/window.h"
 
+#define GLFW_INCLUDE_VULKAN  // for glfwCreateWindowSurface
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 

@@ -1,4 +1,5 @@
-// Shows every widget: gallery --picture FILE.ppm [--size WxH] [--scale S] [--do ACTION] [--times].
+// Shows every widget: gallery [--size WxH] [--scale S] [--show PANEL] [--do ACTION]; without a window with
+// --picture FILE.ppm or --times; in a window with [--ui cpu|vulkan] [--validate].
 #include <imgui.h>
 
 #include <cstdio>
@@ -7,7 +8,11 @@
 #include <string>
 
 #include "app/window/cpu_rasteriser.h"
+#include "app/window/window.h"
+#include "editor/widgets/notify.h"
 #include "editor/widgets/theme.h"
+#include "engine/core/log.h"
+#include "engine/gpu/device.h"
 #include "tests/window/gallery_content.h"
 
 namespace {
@@ -22,7 +27,9 @@ struct Options {
   int height = 1000;
   float scale = 1;
   float mouse_x = -1, mouse_y = -1;
+  std::string renderer;
   bool times = false;
+  bool validate = false;
 };
 
 Options read_options(int count, char** words) {
@@ -36,6 +43,8 @@ Options read_options(int count, char** words) {
     if (word == "--size") std::sscanf(value, "%dx%d", &options.width, &options.height);
     if (word == "--mouse") std::sscanf(value, "%f,%f", &options.mouse_x, &options.mouse_y);
     if (word == "--scale") options.scale = std::stof(value);
+    if (word == "--ui") options.renderer = value;
+    if (word == "--validate") options.validate = true;
     if (word == "--times") options.times = true;
   }
   return options;
@@ -90,6 +99,62 @@ int draw_to_file(const Options& options) {
   return 0;
 }
 
+// A real window until it is closed; reports on stdout what happened, for scripts.
+int show_in_window(const Options& options) {
+  start_log("info");
+  const auto refuse = [](const Error& error) {
+    std::fprintf(stderr, "%s\n", error.message().c_str());
+    return static_cast<int>(error.kind);
+  };
+  auto extensions = window::Window::instance_extensions();
+  if (!extensions) return refuse(extensions.error());
+  gpu::Options how;
+  how.validate = options.validate;
+  how.instance_extensions = *extensions;
+  how.device_extensions = window::Window::device_extensions();
+  auto device = gpu::Device::create(how);
+  if (!device) return refuse(device.error());
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  size_t messages = 0;
+  {
+    window::Textures textures;
+    gallery::Gallery gallery(textures);
+    window::WindowOptions wanted;
+    wanted.title = "Gallery";
+    wanted.place.width = options.width;
+    wanted.place.height = options.height;
+    wanted.scale = options.scale;
+    if (options.renderer == "vulkan") wanted.renderer = window::UiRenderer::vulkan;
+    auto window = window::Window::open(**device, textures, wanted);
+    if (!window) return refuse(window.error());
+    window::Hooks hooks;
+    hooks.rescale = ui::apply_theme;
+    hooks.frame = [&] {
+      gallery.draw();
+      if (gallery.quit_wanted()) (*window)->quit();
+    };
+    hooks.wake_after = ui::take_frame_request;
+    hooks.close_wanted = [&] { gallery.actions().run("file.quit"); };
+    hooks.dropped = [](const std::vector<std::string>& paths) {
+      for (const std::string& path : paths) ui::notify(ui::Notice::info, path);
+    };
+    (*window)->run(hooks);
+    const window::FrameTimes& times = (*window)->times();
+    std::printf("edits %d, undo steps %zu, frames %llu, presented %llu, build %.2f ms, draw %.2f ms, present %.2f ms\n",
+                gallery.edits(), gallery.steps(), static_cast<unsigned long long>(times.frames),
+                static_cast<unsigned long long>(times.presented), times.build_ms, times.draw_ms, times.present_ms);
+    messages = (*device)->validation_messages().size();
+    std::printf("validation messages %zu\n", messages);
+  }
+  ImGui::DestroyContext();
+  return messages == 0 ? 0 : 1;
+}
+
 }  // namespace
 
-int main(int count, char** words) { return draw_to_file(read_options(count, words)); }
+int main(int count, char** words) {
+  const Options options = read_options(count, words);
+  return options.picture.empty() && !options.times ? show_in_window(options) : draw_to_file(options);
+}

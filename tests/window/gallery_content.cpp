@@ -372,5 +372,7 @@ void Gallery::draw() {
 ui::Actions& Gallery::actions() { return state_->actions; }
 ui::Dock& Gallery::dock() { return state_->dock; }
 bool Gallery::quit_wanted() const { return state_->quit; }
+int Gallery::edits() const { return state_->edits; }
+size_t Gallery::steps() const { return state_->history.size() - 2; }
 
 }  // namespace vamp::gallery

@@ -15,6 +15,8 @@ class Gallery {
   ui::Actions& actions();
   ui::Dock& dock();
   bool quit_wanted() const;
+  int edits() const;     // edit events of all kinds so far
+  size_t steps() const;  // committed edits
 
  private:
   struct State;
