@@ -19,13 +19,16 @@ namespace vamp {
 // A preset (or a part's own glTF material) with this project's edits over it. Parts that share one change together.
 struct MaterialInstance {
   std::string name;
-  std::string preset;    // path as the project file stores it; empty: the model's own material
-  std::string checksum;  // of the preset's tables, so that a changed preset is noticed
-  SpmmPtr fit;           // never null
+  std::string preset;      // reference of the preset (file_reference.h); empty: the model's own material
+  std::string model_part;  // where preset is empty: the part of the model whose own material it is
+  std::string checksum;    // of the preset's fit (fit_checksum.h), so that a changed preset is noticed
+  SpmmPtr fit;             // never null
   EditLayer edits;
   bool operator==(const MaterialInstance&) const = default;  // fit by identity
 };
 
+// How a preset lies on a part: its texture is scaled, turned from u towards v, and moved. The model's own material lies
+// as its texture's transform says.
 struct PartState {
   std::string name;  // as in the scene, same order
   int material = 0;  // index into Project::materials
@@ -38,7 +41,8 @@ struct PartState {
 };
 
 struct EnvironmentState {
-  std::string path;                        // as the project file stores it; empty: none
+  std::string path;                        // reference of the file (file_reference.h); empty: none
+  std::string checksum;                    // of the file
   std::shared_ptr<const Environment> map;  // null: none
   float intensity = 1;
   float rotation = 0;   // radians about +Y
@@ -72,7 +76,8 @@ struct NamedCamera {
 };
 
 struct Project {
-  std::filesystem::path model;         // the glTF file
+  std::filesystem::path model;         // the glTF file, absolute; empty: the scene was made in memory
+  std::string model_checksum;          // of that file
   std::shared_ptr<const Scene> scene;  // never null
   float mm_per_unit = 1000;
   std::vector<MaterialInstance> materials;
@@ -95,8 +100,21 @@ inline constexpr size_t kMaxLights = 16;
 // bounds, ambient 0.15, background 0.18), said in the log; where it has no camera, a three-quarter view that fits it.
 Project make_project(std::shared_ptr<const Scene> scene, const std::filesystem::path& model);
 
-// Puts a preset on a part: reuses the instance that already holds it, else adds one; drops instances no part uses.
+// Puts a preset on a part: reuses the instance that already holds it, else adds one with the preset's edits; drops
+// instances no part uses. `path`: a file or a reference.
 void assign_preset(Project& project, int part, const Preset& preset, const std::string& path);
+
+// Takes the preset off a part: the model's own material shows again, unedited.
+void assign_own_material(Project& project, int part);
+
+// Another instance of the project on a part, shared with the parts that already show it.
+void share_material(Project& project, int part, int material);
+
+// Puts an environment map around the model; `path`: a file or a reference. Intensity and rotation stay.
+Status assign_environment(Project& project, const std::string& path);
+
+// Removes the instances that no part shows; the others keep their order.
+void drop_unused_materials(Project& project);
 
 // Gives a part a material instance of its own, a copy of the one it shared. Returns the instance's index.
 int make_unique_material(Project& project, int part);
