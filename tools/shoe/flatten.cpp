@@ -15,14 +15,20 @@ struct Triangle {
   std::array<double, 3> weight;  // half the cotangent at each corner
 };
 
+// Solving amplifies differences in the last bits, and a machine's sine may differ there: what the solver sees is
+// rounded, and from there on only exactly rounded operations are used, so that patterns are the same everywhere.
+constexpr double kSeen = 1e-4;  // mm
+
+Vec3 seen(const Vec3& p) { return glm::round(p / kSeen) * kSeen; }
+
 std::vector<Triangle> flat_triangles(const Mesh& mesh) {
   std::vector<Triangle> triangles;
   for (size_t t = 0; t < mesh.indices.size(); t += 3) {
     Triangle triangle{};
     for (size_t k = 0; k < 3; ++k) triangle.corner[k] = mesh.indices[t + k];
-    const Vec3 a = mesh.positions[triangle.corner[0]];
-    const Vec3 ab = mesh.positions[triangle.corner[1]] - a;
-    const Vec3 ac = mesh.positions[triangle.corner[2]] - a;
+    const Vec3 a = seen(mesh.positions[triangle.corner[0]]);
+    const Vec3 ab = seen(mesh.positions[triangle.corner[1]]) - a;
+    const Vec3 ac = seen(mesh.positions[triangle.corner[2]]) - a;
     const double base = glm::length(ab);
     const double area = glm::length(glm::cross(ab, ac));
     const std::array<Vec2, 3> p = {Vec2(0.0), Vec2(base, 0.0), Vec2(glm::dot(ab, ac) / base, area / base)};
@@ -104,7 +110,7 @@ Vec2 rotation(const Triangle& t, const std::vector<Vec2>& uvs) {
     c += t.weight[k] * glm::dot(from, to);
     s += t.weight[k] * (from.x * to.y - from.y * to.x);
   }
-  const double size = std::hypot(c, s);
+  const double size = std::sqrt(c * c + s * s);
   return size > 0 ? Vec2(c, s) / size : Vec2(1.0, 0.0);
 }
 
@@ -113,6 +119,7 @@ Vec2 turned(const Vec2& v, const Vec2& turn) { return {turn.x * v.x - turn.y * v
 }  // namespace
 
 void flatten(Mesh& mesh, const Vec3& grain) {
+  for (Vec2& uv : mesh.uvs) uv = glm::round(uv / kSeen) * kSeen;
   const std::vector<Triangle> triangles = flat_triangles(mesh);
   const Laplacian laplacian(triangles, mesh.positions.size());
   for (int round = 0; round < kRounds; ++round) {

@@ -12,7 +12,8 @@ namespace {
 constexpr int kFloat = 5126, kUint16 = 5123, kUint32 = 5125;
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;
 
-float rounded(double value, double step) { return static_cast<float>(std::round(value / step) * step); }
+// Adding zero makes -0 one with 0.
+float rounded(double value, double step) { return static_cast<float>(std::round(value / step) * step + 0.0); }
 
 class Writer {
  public:
@@ -58,7 +59,7 @@ class Writer {
     for (const Vec3& n : mesh.normals) {
       // Rounded, then made unit again: both steps give the same float for neighbouring doubles.
       const Vec3 unit = glm::normalize(glm::round(n * 1e4) / 1e4);
-      for (int axis = 0; axis < 3; ++axis) normals.push_back(static_cast<float>(unit[axis]));
+      for (int axis = 0; axis < 3; ++axis) normals.push_back(static_cast<float>(unit[axis] + 0.0));
     }
     for (const Vec2& uv : mesh.uvs) {
       for (int axis = 0; axis < 2; ++axis) uvs.push_back(rounded(uv[axis] / kMmPerUv, 1e-5));

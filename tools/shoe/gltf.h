@@ -6,8 +6,7 @@
 
 namespace vamp::shoe {
 
-// UV conventions of what is written: mm in the meshes, kMmPerUv mm per UV unit in the file, v downwards as in glTF's
-// images makes no difference to a repeating material, so v is written as it is.
+// UVs are mm in the meshes and mm / kMmPerUv in the file: one scale for u, v and all parts, never mirrored.
 constexpr double kMmPerUv = 100.0;
 constexpr double kMmPerUnit = 1000.0;
 

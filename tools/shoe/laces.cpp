@@ -47,18 +47,17 @@ class Cord {
   Polyline crossing(int side) const {
     Polyline points;
     const auto put = [&](const Vec3& at, double height) { points.push_back(last_.lifted(at, height)); };
-    const auto ridge = [&](const Vec3& a, const Vec3& b, double t) { return glm::mix(a, b, t); };
-    put(ridge(eyelet(0, 0), eyelet(1, 0), 0.5), kUnder);
-    put(ridge(eyelet(side, 0), eyelet(1 - side, 0), 0.25), kUnder);
+    put(glm::mix(eyelet(0, 0), eyelet(1, 0), 0.5), kUnder);
+    put(glm::mix(eyelet(side, 0), eyelet(1 - side, 0), 0.25), kUnder);
     for (int row = 0; row < kEyelets; ++row) {
       const Vec3 here = eyelet(side, row);
       const double top = face(here, side);
       const Vec3 target = row + 1 < kEyelets ? eyelet(1 - side, row + 1) : knot_foot();
       const Vec3 step = glm::normalize(target - here);
       // Up through the hole.
-      put(here - 2.4 * inward(side, here), kUnder - 0.2);
-      put(here - 0.5 * inward(side, here), top - 1.2);
-      put(here - 0.1 * inward(side, here), top + 0.4);
+      put(here - 2.4 * inward(here), kUnder - 0.2);
+      put(here - 0.5 * inward(here), top - 1.2);
+      put(here - 0.1 * inward(here), top + 0.4);
       put(here + 1.6 * step, top + kHalfHeight + 0.75);
       if (row + 1 == kEyelets) break;
       // Over this facing, across the tongue, under the other.
@@ -83,19 +82,23 @@ class Cord {
 
   // A point beside the knot, `side` mm outwards along z and `down` mm towards the toe, `height` over the upper.
   Vec3 beside_knot(double side, double down, double height) const {
-    const Vec3 foot = knot_foot();
-    const Vec3 n = last_.normal(foot);
-    const Vec3 to_toe = glm::normalize(glm::cross(Vec3(0.0, 0.0, -1.0), n) * -1.0);
-    const Vec3 on = last_.project(foot + side * Vec3(0.0, 0.0, 1.0) + down * to_toe);
+    // Walked over the last in short steps, so that the distances are those along the leather.
+    constexpr int kSteps = 16;
+    Vec3 on = knot_foot();
+    for (int step = 0; step < kSteps; ++step) {
+      const Vec3 n = last_.normal(on);
+      const Vec3 to_toe = glm::normalize(glm::cross(n, Vec3(0.0, 0.0, 1.0)));
+      on = last_.project(on + (side * glm::cross(to_toe, n) + down * to_toe) / double(kSteps));
+    }
     const double layers = face(on, side > 0 ? 1 : 0);
     return last_.lifted(on, layers + kHalfHeight + height);
   }
 
  private:
   // Towards the middle of the shoe.
-  Vec3 inward(int side, const Vec3& at) const {
+  Vec3 inward(const Vec3& at) const {
     const Vec3 to = glm::mix(eyelet(0, 2), eyelet(1, 2), 0.5) - at;
-    return glm::normalize(Vec3(0.0, 0.0, to.z)) * (side == 0 ? 1.0 : 1.0);
+    return {0.0, 0.0, to.z > 0 ? 1.0 : -1.0};
   }
 
   const Upper& upper_;
@@ -111,17 +114,26 @@ Mesh make_bow(const Cord& cord, Mesh& tips) {
       return cord.beside_knot(s * wide * out, down, height);
     };
     const Vec3 knot = cord.knot_middle();
-    bow.append(
-        cord.tube({knot, at(7, -1.5, 3.4), at(16, -4, 4.2), at(28, -5, 2.6), at(38, -1, 0.9), at(42.5, 6, 0.2),
-                   at(38, 12.5, 0.2), at(27, 12, 1.4), at(15, 7.5, 3.0), at(7, 3, 3.6), knot + Vec3(0.4, 0.0, 0.3 * s)},
-                  false, false));
+    const Polyline loop = {knot,
+                           at(7, -1, 3.2),
+                           at(15, -3, 4.0),
+                           at(25, -4, 2.8),
+                           at(34, -1, 1.2),
+                           at(40, 5.5, 0.3),
+                           at(38.5, 13, 0.1),
+                           at(31, 15.5, 0.4),
+                           at(21, 12, 2.0),
+                           at(12, 6.5, 3.2),
+                           at(6, 2.5, 3.4),
+                           knot + Vec3(0.4, 0.0, 0.3 * s)};
+    bow.append(cord.tube(loop, false, false));
     const Polyline tail = {knot,
-                           at(5, 5, 3.2),
-                           at(11, 13, 1.6),
-                           at(18, 22, 0.2),
-                           at(27, 30, 0.1),
-                           at(37, 35, 0.1),
-                           at(48, 38 + 3 * s, 0.1)};
+                           at(4.5, 4, 3.2),
+                           at(10, 12, 2.4),
+                           at(16, 20, 0.4),
+                           at(24, 28, 0.1),
+                           at(34, 34, 0.1),
+                           at(45, 37 + 3 * s, 0.1)};
     bow.append(cord.tube(tail, false, true));
     const Curve path = spline(tail);
     tips.append(cord.tube(path.part(1.0 - 11.0 / path.length(), 1.0).evenly(8), true, true, 1.08));

@@ -7,10 +7,10 @@
 namespace vamp::shoe {
 namespace {
 
-constexpr double kToeTip = 289.0;    // front end of the bottom
-constexpr double kToeStart = 205.0;  // where the toe begins to close
+constexpr double kToeTip = 292.0;    // front end of the bottom
+constexpr double kToeStart = 192.0;  // where the toe begins to close
 constexpr double kHeelStart = 62.0;  // where the heel begins to close
-constexpr double kToePower = 2.7;    // > 2 keeps the field C2 where the ends begin
+constexpr double kToePower = 2.75;   // > 2 keeps the field C2 where the ends begin
 constexpr double kHeelPower = 2.4;
 constexpr double kSidePower = 2.15;  // 2 would be an ellipse; more is boxier
 constexpr double kTopPower = 2.3;
@@ -21,27 +21,28 @@ constexpr double kBulgeHeight = 15.0;
 
 // Tables of a men's derby of French size 42, heel 24 mm: the outer surface is this last plus 1.6 to 5 mm of leather.
 Last::Last()
-    : feather_({{0, 36.5}, {40, 35}, {80, 31.5}, {120, 24}, {160, 16.2}, {200, 13}, {230, 13.6}, {260, 17}, {295, 24}}),
+    : feather_(
+          {{0, 33}, {40, 31.6}, {80, 28.6}, {120, 22.4}, {160, 15.8}, {200, 12.9}, {230, 13.6}, {260, 17}, {295, 24}}),
       lateral_({{0, 30},
                 {40, 31},
                 {75, 31.5},
                 {110, 34.5},
                 {150, 40.5},
-                {180, 44.8},
-                {205, 45.5},
-                {230, 42.5},
-                {255, 38},
-                {290, 33}}),
+                {180, 45},
+                {205, 46},
+                {230, 43},
+                {255, 37.5},
+                {290, 29}}),
       medial_({{0, 30},
                {40, 30.5},
                {75, 28.5},
                {110, 24.5},
                {150, 28.5},
                {180, 37},
-               {205, 42.5},
-               {230, 43.5},
-               {255, 42},
-               {290, 38}}),
+               {205, 43},
+               {230, 45},
+               {255, 44.5},
+               {290, 41.5}}),
       ridge_height_({{0, 165},
                      {60, 158},
                      {85, 133},

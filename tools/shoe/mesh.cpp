@@ -1,6 +1,5 @@
 #include "tools/shoe/mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/core/check.h"
@@ -48,15 +47,16 @@ void Mesh::smooth() {
   }
 }
 
-void Mesh::drop_slivers() {
-  std::vector<uint32_t> kept;
+void Mesh::settle_uv_scale() {
+  double area = 0.0, uv_area = 0.0;
   for (size_t t = 0; t < indices.size(); t += 3) {
-    const Vec3& a = positions[indices[t]];
-    const Vec3 n = glm::cross(positions[indices[t + 1]] - a, positions[indices[t + 2]] - a);
-    if (glm::length(n) > 1e-5)
-      kept.insert(kept.end(), indices.begin() + std::ptrdiff_t(t), indices.begin() + std::ptrdiff_t(t) + 3);
+    const Vec3& p = positions[indices[t]];
+    area += glm::length(glm::cross(positions[indices[t + 1]] - p, positions[indices[t + 2]] - p));
+    const Vec2 b = uvs[indices[t + 1]] - uvs[indices[t]], c = uvs[indices[t + 2]] - uvs[indices[t]];
+    uv_area += std::abs(b.x * c.y - b.y * c.x);
   }
-  indices = std::move(kept);
+  CHECK(uv_area > 0);
+  for (Vec2& uv : uvs) uv *= std::sqrt(area / uv_area);
 }
 
 Mesh grid(const std::vector<Vec3>& points, const std::vector<Vec2>& uvs, uint32_t columns) {

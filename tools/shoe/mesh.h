@@ -21,12 +21,11 @@ struct Mesh {
   void append(const Mesh& other);
   // Angle-weighted vertex normals (Thurmer & Wuthrich 1998).
   void smooth();
-  // Drops triangles without area (poles of caps).
-  void drop_slivers();
+  // Scales the UVs so that their area is the surface's: 1 mm of pattern is 1 mm of surface on average.
+  void settle_uv_scale();
 };
 
-// A grid of points, rows * columns, row by row; wraps join last and first column (whose points differ from the first's
-// only by UV are repeated by the caller).
+// A grid of points, rows * columns, row by row. Outward is along the columns' direction cross the rows'.
 Mesh grid(const std::vector<Vec3>& points, const std::vector<Vec2>& uvs, uint32_t columns);
 
 // What glTF calls a material and the program calls a part.

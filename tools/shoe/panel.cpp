@@ -171,6 +171,7 @@ Mesh build(const Panel& panel, const Last& last) {
 
 Mesh build_lining(const Panel& panel, const Last& last) {
   Panel even = panel;
+  even.cell = 4.0;
   even.fine_bottom = even.fine_top = even.fine_left = even.fine_right = false;
   const Lattice lattice = lattice_of(even, last);
   Mesh mesh = corner_fanned(lattice.back, lattice);

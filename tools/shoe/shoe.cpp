@@ -55,8 +55,9 @@ Scene make_shoe_scene() {
       {"Heel block", {0.085, 0.040, 0.022}, 0.45, 0.0, sole.heel},
       {"Top piece", {0.025, 0.022, 0.020}, 0.75, 0.0, sole.top_piece},
   };
-  // The middle of the shoe's length stands at the origin.
   for (Part& part : scene.parts) {
+    part.mesh.settle_uv_scale();
+    // The middle of the shoe's length stands at the origin.
     for (Vec3& p : part.mesh.positions) p.x -= 150.0;
   }
   add_studio(scene);

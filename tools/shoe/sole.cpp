@@ -39,12 +39,17 @@ Footprint footprint_of(const Last& last) {
   return f;
 }
 
-// The sole's outline moved out by reach() + `out`, `height` over the feather line.
-Polyline ring(const Footprint& f, double out, double height) {
+// The feather line moved out by `out`, `height` up.
+Polyline feather_ring(const Footprint& f, double out, double height) {
   Polyline points;
-  for (size_t i = 0; i < f.at.size(); ++i) {
-    points.push_back(f.at[i] + (reach(f.at[i].x) + out) * f.normal[i] + Vec3(0.0, height, 0.0));
-  }
+  for (size_t i = 0; i < f.at.size(); ++i) points.push_back(f.at[i] + out * f.normal[i] + Vec3(0.0, height, 0.0));
+  return points;
+}
+
+// The sole's edge moved out by `out`, `height` over the feather line.
+Polyline ring(const Footprint& f, double out, double height) {
+  Polyline points = feather_ring(f, out, height);
+  for (size_t i = 0; i < points.size(); ++i) points[i] += reach(f.at[i].x) * f.normal[i];
   return points;
 }
 
@@ -90,22 +95,25 @@ std::vector<Vec2> slab(double top, double bottom, double out, double round, doub
   return profile;
 }
 
-// The area inside a closed outline as rows across it, seen from below or above; planar UVs.
-Mesh fill(const Polyline& outline, bool from_below, const std::function<double(const Vec3&)>& sag = {}) {
-  constexpr int kRows = 150, kColumns = 14;
+// The area inside a closed outline as rows across it, seen from below or above; planar UVs. `lift` raises a point that
+// is the share t of the way across.
+Mesh fill(const Polyline& outline, bool from_below, size_t rows,
+          const std::function<double(const Vec3&, double t)>& lift) {
+  constexpr int kColumns = 14;
+  const auto kept = static_cast<uint32_t>(rows);
   const Curve loop(outline);
   const auto tip =
       std::max_element(outline.begin(), outline.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
   const double middle = loop.share_of_nearest(*tip);
-  const Polyline medial = loop.part(0.0, middle).evenly(kRows + 2);
-  const Polyline lateral = loop.part(middle, 1.0).reversed().evenly(kRows + 2);
+  const Polyline medial = loop.part(0.0, middle).evenly(static_cast<int>(rows) + 2);
+  const Polyline lateral = loop.part(middle, 1.0).reversed().evenly(static_cast<int>(rows) + 2);
   const auto uv = [&](const Vec3& p) { return Vec2(p.x, from_below ? p.z : -p.z); };
   Mesh mesh;
-  for (size_t j = 1; j <= kRows; ++j) {
+  for (size_t j = 1; j <= rows; ++j) {
     for (int i = 0; i <= kColumns; ++i) {
       const double t = double(i) / kColumns;
       Vec3 p = glm::mix(medial[j], lateral[j], t);
-      if (sag) p.y -= sag(p) * std::sin(std::numbers::pi * t);
+      p.y += lift(p, t);
       mesh.add(p, uv(p));
     }
   }
@@ -116,14 +124,14 @@ Mesh fill(const Polyline& outline, bool from_below, const std::function<double(c
       mesh.quad(a, b, c, d);
     }
   };
-  for (uint32_t j = 0; j + 1 < kRows; ++j) {
+  for (uint32_t j = 0; j + 1 < kept; ++j) {
     for (uint32_t i = 0; i < kColumns; ++i) {
       const uint32_t a = j * (kColumns + 1) + i;
       quad(a, a + 1, a + kColumns + 2, a + kColumns + 1);
     }
   }
   const uint32_t heel = mesh.add(medial.front(), uv(medial.front())), toe = mesh.add(medial.back(), uv(medial.back()));
-  const uint32_t last_row = (kRows - 1) * (kColumns + 1);
+  const uint32_t last_row = (kept - 1) * (kColumns + 1);
   for (uint32_t i = 0; i < kColumns; ++i) {
     const std::array<uint32_t, 6> ends = {heel, i + 1, i, toe, last_row + i, last_row + i + 1};
     mesh.indices.insert(mesh.indices.end(), ends.begin(), ends.end());
@@ -132,6 +140,15 @@ Mesh fill(const Polyline& outline, bool from_below, const std::function<double(c
   }
   mesh.smooth();
   return mesh;
+}
+
+// Grooves across the forefoot's underside that run out towards its edges.
+double tread(const Vec3& p, double t) {
+  constexpr double kDepth = 1.3, kPitch = 8.0, kFrom = 168.0, kTo = 272.0;
+  if (p.x < kFrom || p.x > kTo) return 0.0;
+  const double across = std::min(t, 1.0 - t);
+  const double from_middle = std::abs(std::fmod(p.x - kFrom, kPitch) - 0.5 * kPitch);
+  return kDepth * (1.0 - smooth_step(0.4, 1.8, from_middle)) * smooth_step(0.06, 0.16, across);
 }
 
 // A flat area inside a closed outline around its middle, seen from below; planar UVs.
@@ -172,7 +189,7 @@ Polyline heel_outline(const Footprint& f) {
   const Vec3 a = medial(1.0), b = lateral(0.0);
   const Curve breast = spline({a, glm::mix(a, b, 0.5) - Vec3(5.0, 0.0, 0.0), b});
   Polyline loop = join(join(medial, breast), lateral).evenly(kAround + 1);
-  for (int round = 0; round < 70; ++round) {
+  for (int round = 0; round < 110; ++round) {
     Polyline next = loop;
     for (size_t i = 0; i < kAround; ++i) {
       next[i] = 0.25 * loop[(i + kAround - 1) % kAround] + 0.5 * loop[i] + 0.25 * loop[(i + 1) % kAround];
@@ -183,14 +200,14 @@ Polyline heel_outline(const Footprint& f) {
   return loop;
 }
 
-// Walls of the heel between heights given as (inset, share of the way from the outsole down to the ground plane + mm).
+// Walls of the heel through (inset in mm, share of the way from the outsole down to the ground).
 Mesh heel_walls(const Last& last, const Polyline& outline, const std::vector<Vec2>& profile) {
   std::vector<Vec3> points;
   std::vector<Vec2> uvs;
   const Curve loop(outline);
-  double down = 0.0;
+  double down = 0.0;  // for a heel of 18 mm, its height in the middle
   for (size_t j = 0; j < profile.size(); ++j) {
-    if (j > 0) down += std::hypot(profile[j].x - profile[j - 1].x, 22.0 * (profile[j].y - profile[j - 1].y));
+    if (j > 0) down += std::hypot(profile[j].x - profile[j - 1].x, 18.0 * (profile[j].y - profile[j - 1].y));
     for (size_t i = 0; i <= kAround; ++i) {
       const Vec3 before = outline[(i + kAround - 1) % kAround], after = outline[(i + 1) % kAround];
       const Vec3 normal = glm::normalize(Vec3(after.z - before.z, 0.0, before.x - after.x));
@@ -235,19 +252,21 @@ Sole make_sole(const Last& last) {
   std::vector<Vec2> edge = slab(kOutsoleTop, kOutsoleBottom, -0.2, 1.2, 3.0);
   edge.pop_back();
   sole.outsole = band(f, edge);
-  sole.outsole.append(fill(ring(f, edge.back().x, kOutsoleBottom), true));
-  sole.insole = fill(ring(f, -9.0, 2.5), false, [](const Vec3& p) { return -1.5 * smooth_step(30.0, 120.0, p.x); });
+  sole.outsole.append(fill(ring(f, edge.back().x, kOutsoleBottom), true, 300, tread));
+  sole.insole = fill(feather_ring(f, 2.0, 2.5), false, 150, [](const Vec3& p, double t) {
+    return 1.5 * smooth_step(30.0, 120.0, p.x) * std::sin(std::numbers::pi * t);
+  });
 
   const Polyline heel = heel_outline(f);
   sole.heel = heel_walls(last, heel, stack_profile(-0.02, 0.74, 4));
   sole.top_piece = heel_walls(
       last, heel,
-      {{1.9, 0.74}, {1.5, 0.755}, {1.45, 0.78}, {1.75, 0.9}, {1.8, 0.94}, {1.95, 0.97}, {2.2, 0.993}, {2.6, 1.0}});
+      {{1.9, 0.74}, {1.5, 0.755}, {1.45, 0.78}, {1.75, 0.9}, {1.8, 0.94}, {1.9, 0.965}, {2.1, 0.99}, {2.3, 1.0}});
   Polyline sole_of_heel;
   for (size_t i = 0; i <= kAround; ++i) {
     const Vec3 before = heel[(i + kAround - 1) % kAround], after = heel[(i + 1) % kAround];
     const Vec3 n = glm::normalize(Vec3(after.z - before.z, 0.0, before.x - after.x));
-    const Vec3 p = heel[i] - 2.6 * n;
+    const Vec3 p = heel[i] - 2.3 * n;
     sole_of_heel.emplace_back(p.x, 0.0, p.z);
   }
   sole.top_piece.append(disc(sole_of_heel, {45.0, 0.0, 0.0}));

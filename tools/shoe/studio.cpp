@@ -10,8 +10,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kAzimuth = 38.0;  // of the camera from the lateral side (+z) towards the toe (+x), degrees
 constexpr double kElevation = 27.0;
-constexpr double kDistance = 670.0;  // mm from the target
-constexpr Vec3 kTarget(4.0, 50.0, 0.0);
+constexpr double kDistance = 480.0;  // mm from the target
+constexpr Vec3 kTarget(2.0, 52.0, 0.0);
 
 Vec3 horizontal(double azimuth) { return {std::sin(azimuth * kDegree), 0.0, std::cos(azimuth * kDegree)}; }
 

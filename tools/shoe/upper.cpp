@@ -96,35 +96,37 @@ Curve front_edge(const Pattern& p, double side, const Vec3& from) {
       l.roof(117, 12.5 * side));
 }
 
-Curve half_topline(const Pattern& p, double side, const Vec3& facing_top) {
+Curve half_topline(const Pattern& p, double side, double half_back_seam, const Vec3& facing_top) {
   const Last& l = p.last;
-  return p.between(l.heel(kHalfBackSeam * side, 58),
+  return p.between(l.heel(half_back_seam * side, 58),
                    {l.heel(14 * side, 57), l.wall(28, 54, side), l.wall(48, 49, side), l.wall(68, 47.5, side),
                     l.wall(86, 54, side), l.wall(101, 68, side)},
                    facing_top);
 }
 
-Panel cut_quarter(const Pattern& p, int side_index, Curve& facing) {
+Panel cut_quarter(const Pattern& p, int side_index, double half_back_seam, Curve& facing) {
   const Last& l = p.last;
   const double side = side_index == 0 ? -1.0 : 1.0;
   const double from = p.share(142, side);
   const Curve front = front_edge(p, side, p.edge(from));
-  const Curve top = half_topline(p, side, front(1));
+  const Curve top = half_topline(p, side, half_back_seam, front(1));
   Polyline back_points;
-  for (double above : {kTuck, 5.0, 15.0, 30.0, 45.0}) back_points.push_back(l.heel(kHalfBackSeam * side, above));
+  for (double above : {kTuck, 5.0, 15.0, 30.0, 45.0}) back_points.push_back(l.heel(half_back_seam * side, above));
   back_points.push_back(top(0));
   const Curve back = l.through(back_points);
   facing = front.part(front.share_of_nearest(l.roof(183, 10.0 * side)), 1.0);
 
   Panel quarter;
   if (side > 0) {
-    quarter.bottom = p.edge.part(from, p.edge.share_of_nearest(back(0) - Vec3(0, 0, 1e-3))).reversed();
+    const double to = p.edge.share_of_nearest(back(0));  // the outline begins and ends in the back seam
+    quarter.bottom = p.edge.part(from, to > 0.5 ? to : 1.0).reversed();
     quarter.left = back;
     quarter.right = front;
     quarter.top = top;
     quarter.fine_right = quarter.fine_top = true;
   } else {
-    quarter.bottom = p.edge.part(p.edge.share_of_nearest(back(0)), from).reversed();
+    const double to = p.edge.share_of_nearest(back(0));
+    quarter.bottom = p.edge.part(to < 0.5 ? to : 0.0, from).reversed();
     quarter.left = front;
     quarter.right = back;
     quarter.top = top.reversed();
@@ -135,13 +137,17 @@ Panel cut_quarter(const Pattern& p, int side_index, Curve& facing) {
   quarter.lift = [line](const Vec3& on_last) {
     return kFacingLift * (1.0 - smooth_step(4.0, kFacingLiftReach, line.distance(on_last)));
   };
-  quarter.seams = {inset(l, front, 2.2 * side), inset(l, front, 4.4 * side), inset(l, top, -2.6 * side)};
+  // Rows end short of the corner, where they would cross.
+  const auto short_of_end = [](const Curve& c, double mm) { return c.part(0.0, 1.0 - mm / c.length()); };
+  quarter.seams = {short_of_end(inset(l, front, 2.2 * side), 2.6), short_of_end(inset(l, front, 4.4 * side), 3.2),
+                   short_of_end(inset(l, top, -2.6 * side), 7.4)};
   return quarter;
 }
 
 Panel cut_tongue(const Last& l) {
   Panel tongue;
-  tongue.bottom = l.through({l.roof(109, -25), l.roof(104.5, -17), l.roof(102, 0), l.roof(104.5, 17), l.roof(109, 25)});
+  tongue.bottom = l.through({l.roof(111, -25), l.roof(105.5, -20.5), l.roof(102.5, -12), l.roof(102.3, 0),
+                             l.roof(102.5, 12), l.roof(105.5, 20.5), l.roof(111, 25)});
   tongue.top = l.through({l.roof(190, -17), l.roof(192, 0), l.roof(190, 17)});
   tongue.left = l.through({tongue.bottom(0), l.roof(135, -24), l.roof(165, -20), tongue.top(0)});
   tongue.right = l.through({tongue.bottom(1), l.roof(135, 24), l.roof(165, 20), tongue.top(1)});
@@ -164,7 +170,9 @@ Upper cut_upper(const Last& last) {
   upper.tongue = cut_tongue(last);
   for (int side = 0; side < kSides; ++side) {
     const auto s = static_cast<size_t>(side);
-    upper.quarter[s] = cut_quarter(pattern, side, upper.facing[s]);
+    upper.quarter[s] = cut_quarter(pattern, side, kHalfBackSeam, upper.facing[s]);
+    upper.quarter_lining[s] = cut_quarter(pattern, side, 0.0, upper.facing[s]);
+    upper.quarter_lining[s].base -= 0.15;
   }
   upper.topline = join(upper.quarter[0].top, upper.quarter[1].top);
   return upper;
@@ -180,10 +188,12 @@ Mesh make_collar(const Upper& upper, const Last& last) {
     const auto s = static_cast<size_t>(i);
     const double along = length * i / (kRows - 1);
     const double near_end = std::min(along, length - along);
-    roll.scale.push_back(0.3 + 0.7 * smooth_step(0.0, kTaper, near_end));
+    const double padding = smooth_step(0.0, kTaper, near_end);
+    roll.scale.push_back(0.2 + 0.8 * padding);
+    // Towards its ends the roll slips under the facings.
     const Vec3 n = last.normal(roll.path[s]);
     roll.up.push_back(n);
-    roll.path[s] += 0.6 * n;
+    roll.path[s] += glm::mix(-0.3, 0.6, padding) * n;
   }
   roll.section = ellipse(5.6, 3.5, 26, {0.6, -1.2});
   roll.round_start = roll.round_end = true;
@@ -191,12 +201,10 @@ Mesh make_collar(const Upper& upper, const Last& last) {
 }
 
 Mesh make_lining(const Upper& upper, const Last& last) {
-  Mesh all;
-  for (const Panel* outside : {&upper.quarter[0], &upper.quarter[1], &upper.vamp}) {
-    Panel inside = *outside;
-    inside.base -= outside == &upper.vamp ? 0.5 : 0.9;
-    all.append(build_lining(inside, last));
-  }
+  Panel front = upper.vamp;
+  front.base -= 0.5;
+  Mesh all = build_lining(front, last);
+  for (const Panel& quarter : upper.quarter_lining) all.append(build_lining(quarter, last));
   return all;
 }
 

@@ -11,8 +11,9 @@ constexpr int kSides = 2;  // 0 medial, 1 lateral
 struct Upper {
   Panel vamp, toe_cap, counter, tongue;
   std::array<Panel, kSides> quarter;
-  std::array<Curve, kSides> facing;  // the quarters' front edges, upwards from the throat: where eyelets stand
-  Curve topline;                     // medial facing, heel, lateral facing
+  std::array<Panel, kSides> quarter_lining;  // meets its partner in the back seam without a gap
+  std::array<Curve, kSides> facing;          // the quarters' front edges, upwards from the throat: where eyelets stand
+  Curve topline;                             // medial facing, heel, lateral facing
 };
 
 Upper cut_upper(const Last& last);
