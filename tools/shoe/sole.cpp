@@ -1,7 +1,6 @@
 #include "tools/shoe/sole.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -117,26 +116,22 @@ Mesh fill(const Polyline& outline, bool from_below, size_t rows,
       mesh.add(p, uv(p));
     }
   }
-  const auto quad = [&](uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
-    if (from_below) {
-      mesh.quad(a, d, c, b);
-    } else {
-      mesh.quad(a, b, c, d);
-    }
+  const auto triangle = [&](uint32_t a, uint32_t b, uint32_t c) {
+    if (from_below) std::swap(b, c);
+    mesh.indices.insert(mesh.indices.end(), {a, b, c});
   };
   for (uint32_t j = 0; j + 1 < kept; ++j) {
     for (uint32_t i = 0; i < kColumns; ++i) {
       const uint32_t a = j * (kColumns + 1) + i;
-      quad(a, a + 1, a + kColumns + 2, a + kColumns + 1);
+      triangle(a, a + 1, a + kColumns + 2);
+      triangle(a, a + kColumns + 2, a + kColumns + 1);
     }
   }
   const uint32_t heel = mesh.add(medial.front(), uv(medial.front())), toe = mesh.add(medial.back(), uv(medial.back()));
   const uint32_t last_row = (kept - 1) * (kColumns + 1);
   for (uint32_t i = 0; i < kColumns; ++i) {
-    const std::array<uint32_t, 6> ends = {heel, i + 1, i, toe, last_row + i, last_row + i + 1};
-    mesh.indices.insert(mesh.indices.end(), ends.begin(), ends.end());
-    if (from_below) std::swap(mesh.indices[mesh.indices.size() - 2], mesh.indices[mesh.indices.size() - 1]);
-    if (from_below) std::swap(mesh.indices[mesh.indices.size() - 5], mesh.indices[mesh.indices.size() - 4]);
+    triangle(heel, i + 1, i);
+    triangle(toe, last_row + i, last_row + i + 1);
   }
   mesh.smooth();
   return mesh;
