@@ -237,15 +237,17 @@ bool Window::draw_frame(const Hooks& hooks) {
 void Window::run(const Hooks& hooks) {
   State& s = *state_;
   constexpr double kFrame = 1.0 / 60;  // s, at the least between two frames
-  constexpr double kIdle = 5;          // s, at the most between looks at the world
-  constexpr double kCursor = 0.4;      // s, half a blink of the text cursor
-  double wake_at = 0;                  // s after the last frame
+  // Mesa reads the X connection too and may take an event off it while we sleep on the socket, so never sleep long.
+  constexpr double kLook = 0.05;   // s, at the most between looks at the world
+  constexpr double kIdle = 3600;   // s, before the first frame and without a wish
+  constexpr double kCursor = 0.4;  // s, half a blink of the text cursor
+  double wake_at = 0;              // s after the last frame
   bool shown = true;
   while (!s.quit) {
     // Sleep until an event, a wish or the rate limit. A frame that found no image is shown as soon as one is free.
     const double past = s.times.frames == 0 ? kIdle : seconds_since(s.last_frame);
     const bool due = s.woken || s.input->pending() || s.settle > 0 || past >= wake_at;
-    double timeout = due ? kFrame - past : std::min(wake_at - past, kIdle);
+    double timeout = due ? kFrame - past : std::min(wake_at - past, kLook);
     if (s.unshown) timeout = std::min(timeout, 0.004);
     if (!shown) timeout = 0.25;  // minimised
     if (timeout > 0) {
@@ -287,7 +289,7 @@ void Window::run(const Hooks& hooks) {
     shown = draw_frame(hooks);
     wake_at = hooks.wake_after ? std::max(0.0, hooks.wake_after()) : kIdle;
     if (ImGui::GetIO().WantTextInput) wake_at = std::min(wake_at, kCursor);
-    wake_at = std::min(wake_at, 3600.0);
+    wake_at = std::min(wake_at, kIdle);
   }
 }
 
