@@ -269,6 +269,8 @@ Result<Preset> preset_from_json(std::string_view text, std::string_view file, Sp
   const JsonReader clusters = root.member("clusters");
   for (size_t i = 0, count = clusters.size(kMaxClusters); i < count; ++i)
     fit.clusters.push_back({clusters.element(i).member("name").text(256)});
+  if (fit.dictionary.empty()) basis.refuse("at least one function", "none");
+  if (fit.clusters.empty()) clusters.refuse("at least one cluster", "none");
   const JsonReader residual = root.member("residual");
   fit.residual.terms = static_cast<int>(residual.member("terms").integer(0, kMaxResidualTerms));
   const bool present = residual.member("present").boolean();
