@@ -88,7 +88,7 @@ LightSample sample_ambient(vec3 normal, vec2 u, float choice) {
   LightSample s;
   s.direction = normalize((t * cos(phi) + b * sin(phi)) * r + normal * z);
   s.distance = params.ao_radius;
-  s.factor = 2.0 * PI / (1.0 + 2.0 * z);
+  s.factor = 4.0 * PI / (1.0 + 2.0 * z);
   return s;
 }
 

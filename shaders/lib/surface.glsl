@@ -57,10 +57,12 @@ SurfacePoint surface_point(Ray ray, int triangle) {
   float w = 1.0 - r.y - r.z;
   point.position = w * a + r.y * b + r.z * c;
   vec3 face = normalize(cross(b - a, c - a));
-  point.side = dot(face, ray.direction) > 0.0 ? -1.0 : 1.0;
-  point.face = face * point.side;
+  point.face = dot(face, ray.direction) > 0.0 ? -face : face;
   point.part = s.w;
-  vec3 n = normalize(w * unpack_normal(s.x) + r.y * unpack_normal(s.y) + r.z * unpack_normal(s.z)) * point.side;
+  // The stored normal decides which side is the front: models whose winding disagrees with their normals are common.
+  vec3 n = normalize(w * unpack_normal(s.x) + r.y * unpack_normal(s.y) + r.z * unpack_normal(s.z));
+  point.side = dot(n, point.face) < 0.0 ? -1.0 : 1.0;
+  n *= point.side;
   // A shading normal that looks away from the viewer is bent until he sees it at 89 degrees: the rule for silhouettes.
   float cosine = -dot(n, ray.direction);
   if (cosine < 0.0175) n = normalize(n - (0.0175 - cosine) * ray.direction);

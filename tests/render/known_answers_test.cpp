@@ -1,8 +1,8 @@
 // Scenes whose pictures have closed forms.
-#include "tests/render/render_test.h"
-
 #include <cmath>
 #include <cstring>
+
+#include "tests/render/render_test.h"
 
 namespace vamp {
 namespace {
@@ -187,8 +187,7 @@ TEST_F(RenderTest, LightsAddUpAndScaleExactly) {
   const Still one = render(project, 16, 16, 8);
   project.lights[0].power = 16;
   const Still two = render(project, 16, 16, 8);
-  for (int i = 0; i < 256; ++i)
-    EXPECT_EQ(two.image.at(i % 16, i / 16, 0), 2 * one.image.at(i % 16, i / 16, 0));
+  for (int i = 0; i < 256; ++i) EXPECT_EQ(two.image.at(i % 16, i / 16, 0), 2 * one.image.at(i % 16, i / 16, 0));
 }
 
 }  // namespace

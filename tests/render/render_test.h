@@ -1,10 +1,10 @@
 #pragma once
 // One device with validation for a test program; every test asserts that validation said nothing.
+#include <gtest/gtest.h>
+
 #include "engine/gpu/device.h"
 #include "engine/render/still.h"
 #include "tests/render/scenes.h"
-
-#include <gtest/gtest.h>
 
 namespace vamp {
 
@@ -21,8 +21,9 @@ class RenderTest : public testing::Test {
   }
 
   Still render(const Project& project, int width, int height, uint32_t samples, std::vector<Layer> layers = {}) {
-    auto still = render_still(*device, std::make_shared<const Project>(project),
-                              {.width = width, .height = height, .samples = samples, .layers = std::move(layers)}, nullptr);
+    auto still =
+        render_still(*device, std::make_shared<const Project>(project),
+                     {.width = width, .height = height, .samples = samples, .layers = std::move(layers)}, nullptr);
     EXPECT_TRUE(still) << still.error().message();
     return still ? std::move(*still) : Still{};
   }
@@ -35,7 +36,8 @@ inline double middle_mean(const Image& image, size_t channel) {
   double sum = 0;
   int count = 0;
   for (int y = image.height * 3 / 8; y < image.height * 5 / 8; ++y)
-    for (int x = image.width * 3 / 8; x < image.width * 5 / 8; ++x, ++count) sum += static_cast<double>(image.at(x, y, channel));
+    for (int x = image.width * 3 / 8; x < image.width * 5 / 8; ++x, ++count)
+      sum += static_cast<double>(image.at(x, y, channel));
   return sum / count;
 }
 

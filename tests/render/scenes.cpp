@@ -1,13 +1,12 @@
 #include "tests/render/scenes.h"
 
-#include "engine/brdf/registry.h"
-#include "engine/core/half.h"
-
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <random>
+
+#include "engine/brdf/registry.h"
+#include "engine/core/half.h"
 
 namespace vamp {
 
@@ -58,15 +57,16 @@ void SceneBuilder::add_sphere(const std::string& part, vec3 center, float radius
       const float theta = kPi * static_cast<float>(r) / static_cast<float>(rings);
       const float phi = 2 * kPi * static_cast<float>(c) / static_cast<float>(columns);
       const vec3 d(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
-      add_vertex(center + radius * d, inward ? -d : d,
-                 {static_cast<float>(c) / static_cast<float>(columns), static_cast<float>(r) / static_cast<float>(rings)});
+      add_vertex(
+          center + radius * d, inward ? -d : d,
+          {static_cast<float>(c) / static_cast<float>(columns), static_cast<float>(r) / static_cast<float>(rings)});
     }
   const auto at = [&](int r, int c) { return first + static_cast<uint32_t>(r * (columns + 1) + c); };
   for (int r = 0; r < rings; ++r)
     for (int c = 0; c < columns; ++c) {
       const uint32_t a = at(r, c), b = at(r + 1, c), d = at(r, c + 1), e = at(r + 1, c + 1);
-      if (r > 0) inward ? add_triangle(number, a, d, b) : add_triangle(number, a, b, d);
-      if (r < rings - 1) inward ? add_triangle(number, d, e, b) : add_triangle(number, d, b, e);
+      if (r > 0) inward ? add_triangle(number, a, b, d) : add_triangle(number, a, d, b);
+      if (r < rings - 1) inward ? add_triangle(number, d, b, e) : add_triangle(number, d, e, b);
     }
 }
 
@@ -125,10 +125,12 @@ SpmmPtr make_rich_material(uint32_t seed) {
   for (int i = 0; i < fit->width * fit->height; ++i) {
     const uint32_t count = 3 + random() % 5, cluster = random() % 2;
     fit->texels.push_back({static_cast<uint32_t>(fit->entries.size()), cluster | count << 8,
-                           half(uniform(-1, 1)) | half(uniform(-1, 1)) << 16, half(uniform(-1, 1)) | half(uniform(-1, 1)) << 16});
+                           half(uniform(-1, 1)) | half(uniform(-1, 1)) << 16,
+                           half(uniform(-1, 1)) | half(uniform(-1, 1)) << 16});
     for (uint32_t e = 0; e < count; ++e)
-      fit->entries.push_back({static_cast<uint32_t>(random() % static_cast<uint32_t>(bases)) | half(uniform(0, 0.3f)) << 16,
-                              half(uniform(0, 0.3f)) | half(uniform(0, 0.3f)) << 16});
+      fit->entries.push_back(
+          {static_cast<uint32_t>(random() % static_cast<uint32_t>(bases)) | half(uniform(0, 0.3f)) << 16,
+           half(uniform(0, 0.3f)) | half(uniform(0, 0.3f)) << 16});
   }
   // The 81 directions of UBO2003: rings every 15 degrees.
   const int counts[] = {1, 6, 12, 18, 20, 24};
@@ -136,7 +138,8 @@ SpmmPtr make_rich_material(uint32_t seed) {
     for (int i = 0; i < counts[ring]; ++i) {
       const float theta = static_cast<float>(ring) * kPi / 12;
       const float phi = 2 * kPi * static_cast<float>(i) / static_cast<float>(counts[ring]);
-      fit->residual.directions.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      fit->residual.directions.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                            std::cos(theta));
     }
   fit->residual.terms = 4;
   const size_t records = fit->clusters.size() * 81 * 81;
@@ -155,7 +158,8 @@ void put_material(Project& project, const std::string& part, SpmmPtr fit) {
   material.preset = "made in memory";
   material.fit = std::move(fit);
   project.materials.push_back(material);
-  project.parts[static_cast<size_t>(find_part(project, part))].material = static_cast<int>(project.materials.size()) - 1;
+  project.parts[static_cast<size_t>(find_part(project, part))].material =
+      static_cast<int>(project.materials.size()) - 1;
 }
 
 }  // namespace vamp

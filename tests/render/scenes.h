@@ -1,10 +1,10 @@
 #pragma once
 // Small scenes whose pictures are known, made in memory.
-#include "engine/project/project.h"
-
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "engine/project/project.h"
 
 namespace vamp {
 
@@ -37,8 +37,8 @@ class SceneBuilder {
 // A project on a scene without any light, background or camera of its own choosing.
 Project dark_project(std::shared_ptr<const Scene> scene);
 
-// A material with everything: 2 clusters, all seven models, tilted frames, 81 directions with 4 PCA terms; 16 x 16 texels,
-// random by `seed`, finite and mild.
+// A material with everything: 2 clusters, all seven models, tilted frames, 81 directions with 4 PCA terms; 16 x 16
+// texels, random by `seed`, finite and mild.
 SpmmPtr make_rich_material(uint32_t seed);
 
 // Puts a material on a part as a preset's.
