@@ -40,5 +40,6 @@ class Painter {
 };
 
 std::unique_ptr<Painter> make_cpu_painter(gpu::Device& device, const Textures& textures);
+std::unique_ptr<Painter> make_vulkan_painter(gpu::Device& device, const Textures& textures);
 
 }  // namespace vamp::window

@@ -134,7 +134,9 @@ Result<std::unique_ptr<Window>> Window::open(gpu::Device& device, Textures& text
   VAMP_TRY(Swapchain chain, Swapchain::create(device, surface));
   state->swapchain = std::make_unique<Swapchain>(std::move(chain));
   state->input = std::make_unique<GlfwInput>(state->window);
-  state->painter = make_cpu_painter(device, textures);
+  const bool on_cpu =
+      options.renderer == UiRenderer::automatic ? device.info().is_cpu : options.renderer == UiRenderer::cpu;
+  state->painter = on_cpu ? make_cpu_painter(device, textures) : make_vulkan_painter(device, textures);
   float across = 1;
   glfwGetWindowContentScale(state->window, &across, nullptr);
   state->scale = options.scale > 0 ? options.scale : across;
