@@ -1,11 +1,11 @@
 #pragma once
-// What the verbs share. Each verb adds its options to the command line and sets `action` to what is to be done; results go
-// to stdout, messages to stderr.
-#include "engine/core/error.h"
-
+// What the verbs share. Each verb adds its options to the command line and sets `action` to what is to be done; results
+// go to stdout, messages to stderr (docs/command-line.md).
 #include <functional>
 #include <memory>
 #include <string>
+
+#include "engine/core/error.h"
 
 namespace CLI {
 class App;
@@ -13,31 +13,30 @@ class App;
 
 namespace vamp {
 
-class Progress;
 namespace gpu {
 class Device;
 }
 
 struct CommonOptions {
   std::string log_level = "info";
-  std::string device;      // --device: index or part of a name
-  bool validate = false;   // --validate: Vulkan's validation layer
-  bool json = false;       // --json, of the verbs that have it
+  std::string device;     // --device: index or part of a name
+  bool validate = false;  // --validate: Vulkan's validation layer
+  bool json = false;      // --json, of the verbs that have it
 };
 
 using Action = std::function<Status()>;
 
-void add_common_options(CLI::App& app, CommonOptions& options);
+void add_common_options(CLI::App& app, CommonOptions& options, Action& action);
+void add_edit(CLI::App& app, CommonOptions& common, Action& action);
 void add_render(CLI::App& app, CommonOptions& common, Action& action);
 void add_compare(CLI::App& app, CommonOptions& common, Action& action);
 void add_info(CLI::App& app, CommonOptions& common, Action& action);
+void add_help(CLI::App& app, Action& action);
+
+// The editor on a model or project; on the shipped scene where `file` is empty. Also what happens without a verb.
+Status edit(const std::string& file, const CommonOptions& common);
 
 // The device that the options name.
 Result<std::unique_ptr<gpu::Device>> open_device(const CommonOptions& options);
-
-// Draws `label` and the fraction done on stderr while `work` runs on another thread; Ctrl+C and SIGTERM cancel it.
-void run_with_progress(const std::string& label, Progress& progress, const std::function<void()>& work);
-// Whether a signal asked to stop.
-bool interrupted();
 
 }  // namespace vamp

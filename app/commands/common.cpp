@@ -1,67 +1,70 @@
-#include "app/commands/command.h"
-#include "engine/core/progress.h"
-#include "engine/gpu/device.h"
+#include <fmt/format.h>
+#include <vulkan/vulkan.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <unistd.h>
+#include <string_view>
 
-#include <atomic>
-#include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <exception>
-#include <future>
+#include "app/commands/command.h"
+#include "app/version.h"
+#include "engine/gpu/device.h"
 
 namespace vamp {
 namespace {
 
-std::atomic<bool> stop_asked{false};
+std::string version_text() {
+  constexpr std::string_view kDescribe = VAMP_GIT_DESCRIBE;
+  constexpr uint32_t kHeaders = VK_HEADER_VERSION_COMPLETE;
+  return fmt::format("vamp {}{}, Vulkan headers {}.{}.{}", VAMP_VERSION,
+                     kDescribe.empty() ? "" : fmt::format(" ({})", kDescribe), VK_API_VERSION_MAJOR(kHeaders),
+                     VK_API_VERSION_MINOR(kHeaders), VK_API_VERSION_PATCH(kHeaders));
+}
 
-void ask_to_stop(int) { stop_asked.store(true); }
-
-void print_devices() {
-  const auto devices = gpu::list_devices();
-  if (!devices) {
-    std::fprintf(stderr, "vamp: %s\n", devices.error().message().c_str());
-    std::exit(static_cast<int>(devices.error().kind));
-  }
-  for (const gpu::DeviceInfo& device : *devices)
+Status print_devices() {
+  VAMP_TRY(const auto devices, gpu::list_devices());
+  for (const gpu::DeviceInfo& device : devices)
     fmt::print("{}: {} ({}, {}){}\n", device.index, device.name, gpu::name_of(device.type), device.driver,
                device.unsuitable.empty() ? "" : ", cannot serve: " + device.unsuitable);
-  std::exit(0);
+  return {};
 }
 
 }  // namespace
 
-void add_common_options(CLI::App& app, CommonOptions& options) {
-  app.set_version_flag("--version", "vamp 0.1.0");
-  app.add_flag_callback("--list-devices", print_devices, "List the Vulkan devices and stop");
-  app.add_option("--device", options.device, "Vulkan device: an index of --list-devices or part of a name");
+void add_common_options(CLI::App& app, CommonOptions& options, Action& action) {
+  app.set_version_flag("--version", version_text());
+  app.add_flag_callback(
+      "--list-devices", [&action] { action = print_devices; }, "List the Vulkan devices and stop");
+  app.add_option("--device", options.device, "Vulkan device: a number of --list-devices or part of a name")
+      ->type_name("DEVICE");
   app.add_flag("--validate", options.validate, "Turn on Vulkan's validation layer");
   app.add_option("--log-level", options.log_level, "What is said on stderr")
+      ->type_name("LEVEL")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
-  app.fallthrough();  // so that they may stand behind the verb
+  // They may stand behind the verb too. Verbs that are added later inherit this.
+  app.fallthrough();
+}
+
+void add_help(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("help", "Say what a verb does");
+  auto name = std::make_shared<std::string>();
+  verb->add_option("verb", *name, "edit, render, compare or info");
+  verb->callback([name, &app, &action] {
+    action = [name, &app]() -> Status {
+      if (name->empty()) {
+        // Not app.help(), which speaks of the verb that was given: help.
+        fmt::print("{}", app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal));
+        return {};
+      }
+      const auto found = app.get_subcommands([&name](const CLI::App* each) { return each->get_name() == *name; });
+      if (found.empty()) return fail(ErrorKind::usage, "", "help", "one of the verbs of vamp --help", *name);
+      fmt::print("{}", found.front()->help());
+      return {};
+    };
+  });
 }
 
 Result<std::unique_ptr<gpu::Device>> open_device(const CommonOptions& options) {
   return gpu::Device::create({.device = options.device, .validate = options.validate});
-}
-
-bool interrupted() { return stop_asked.load(); }
-
-void run_with_progress(const std::string& label, Progress& progress, const std::function<void()>& work) {
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  auto done = std::async(std::launch::async, work);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  while (done.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
-    if (interrupted()) progress.cancel();
-    if (terminal) fmt::print(stderr, "\r{} {:3.0f} %", label, 100.0 * static_cast<double>(progress.fraction()));
-  }
-  if (terminal) fmt::print(stderr, "\r{:{}}\r", "", label.size() + 8);
-  done.get();
 }
 
 }  // namespace vamp
