@@ -33,7 +33,7 @@ void InputQueue::focus(bool focused) { events_.push_back({Event::Kind::focus, 0,
 void InputQueue::apply(ImGuiIO& io) {
   std::bitset<5> buttons;  // that changed in this frame
   std::bitset<512> keys;
-  bool moved = false, rolled = false;
+  bool moved = false, rolled = false, pressed = false;
   for (; !events_.empty(); events_.pop_front()) {
     const Event& e = events_.front();
     const auto code = static_cast<size_t>(e.code);
@@ -42,6 +42,9 @@ void InputQueue::apply(ImGuiIO& io) {
     if (e.kind == Event::Kind::button && (buttons[code] || rolled)) return;
     if (e.kind == Event::Kind::wheel && buttons.any()) return;
     if (e.kind == Event::Kind::key && keys[code]) return;
+    // Ctrl let go right after the key or click that it belongs to.
+    const bool modifier = e.code >= GLFW_KEY_LEFT_SHIFT && e.code <= GLFW_KEY_RIGHT_SUPER;
+    if (e.kind == Event::Kind::key && modifier && (pressed || buttons.any())) return;
     switch (e.kind) {
       case Event::Kind::move:
         io.MousePos = ImVec2(e.x, e.y);
@@ -61,6 +64,7 @@ void InputQueue::apply(ImGuiIO& io) {
       case Event::Kind::key:
         io.KeysDown[code] = e.down;
         keys.set(code);
+        pressed = pressed || (e.down && !modifier);
         io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
         io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
         io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];

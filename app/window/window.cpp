@@ -167,6 +167,11 @@ Place Window::place() const {
 }
 
 float Window::scale() const { return state_->scale; }
+void Window::set_scale(float scale) {
+  state_->wanted_scale = scale;
+  state_->input->events().scale_changed = true;
+  state_->woken = true;
+}
 const FrameTimes& Window::times() const { return state_->times; }
 const char* Window::renderer_name() const { return state_->painter->name(); }
 

@@ -74,6 +74,7 @@ class Window {
   void set_title(const std::string& title);
   Place place() const;
   float scale() const;
+  void set_scale(float scale);  // from the next frame on; 0: the screen's
   const FrameTimes& times() const;
   const char* renderer_name() const;  // "CPU" or "Vulkan"
 

@@ -1,0 +1,39 @@
+#!/bin/sh
+# A real window under Xvfb, driven by mouse and keyboard: one drag is one undo step, a typed number another, the window
+# survives resizing, Ctrl+Q asks and Enter answers. Usage: window_test.sh GALLERY cpu|vulkan
+set -e
+if [ -z "$VAMP_IN_XVFB" ]; then
+  for tool in xvfb-run xdotool; do
+    command -v $tool > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+  done
+  VAMP_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1600x1000x24" sh "$0" "$@"
+fi
+out=$(mktemp)
+"$1" --ui "$2" --validate > "$out" 2>&1 &
+gallery=$!
+# The window is there and has drawn when its title can be found; a busy machine may need long.
+for i in $(seq 100); do
+  id=$(xdotool search --name '^Gallery$' 2> /dev/null | tail -1) && [ -n "$id" ] && break
+  sleep 0.2
+done
+sleep 2
+xdotool mousemove 1330 163; sleep 0.4
+xdotool mousedown 1; sleep 0.4; xdotool mousemove 1360 163; sleep 0.4; xdotool mousemove 1400 163; sleep 0.4
+xdotool mouseup 1; sleep 0.4
+xdotool mousemove 1500 187; sleep 0.4
+xdotool click --repeat 2 --delay 60 1; sleep 0.6
+xdotool type --delay 30 0.77; xdotool key Return; sleep 0.6
+xdotool mousemove 700 500
+xdotool windowsize "$id" 900 600; sleep 1
+xdotool windowsize "$id" 1600 1000; sleep 1
+xdotool key ctrl+q; sleep 1.5
+xdotool key Return
+for i in $(seq 50); do
+  kill -0 $gallery 2> /dev/null || break
+  sleep 0.2
+done
+kill $gallery 2> /dev/null && { cat "$out"; echo "the window did not close"; exit 1; }
+cat "$out"
+grep -q "undo steps 2," "$out"
+grep -q "validation messages 0" "$out"
+rm -f "$out"
