@@ -49,6 +49,7 @@ bool equal_ignoring_case(std::string_view a, std::string_view b) {
 Project make_project(std::shared_ptr<const Scene> scene, const std::filesystem::path& model) {
   CHECK(scene != nullptr);
   Project project;
+  const std::string file = scene->file.empty() ? "the model" : scene->file;
   if (!model.empty()) {
     std::error_code code;
     project.model = std::filesystem::absolute(model, code).lexically_normal();
@@ -68,12 +69,12 @@ Project make_project(std::shared_ptr<const Scene> scene, const std::filesystem::
   // Its own light, or a studio.
   project.lights = scene->lights;
   if (project.lights.size() > kMaxLights) {
-    spdlog::warn("{}: {} lights, the first {} are used", scene->file, project.lights.size(), kMaxLights);
+    spdlog::warn("{}: {} lights, the first {} are used", file, project.lights.size(), kMaxLights);
     project.lights.resize(kMaxLights);
   }
   project.ambient = scene->ambient.value_or(vec3(0));
   if (project.lights.empty() && !scene->ambient) {
-    spdlog::info("{}: no lights; a neutral studio is put around it", scene->file);
+    spdlog::info("{}: no lights; a neutral studio is put around it", file);
     project.lights = studio_lights(scene->bounds);
     project.ambient = vec3(kStudioAmbient);
     project.background = vec3(kStudioBackground);

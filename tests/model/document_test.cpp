@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
-
 #include "editor/model/edits_material.h"
 #include "editor/model/edits_scene.h"
 #include "tests/project/small_project.h"
@@ -13,9 +11,6 @@ namespace vamp {
 namespace {
 
 using test::small_project;
-
-// The same edits on every run, unless the environment asks for others.
-const int kSeeded = ::setenv("RC_PARAMS", "seed=20120701", 0);
 
 Edit exposure(const Document& document, float ev) { return set_exposure(*document.project(), ev); }
 
