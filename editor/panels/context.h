@@ -1,16 +1,16 @@
 #pragma once
 // What panels work with. They read the model and emit named edits through the document; they never write the project.
-#include "editor/model/document.h"
-#include "editor/model/preset_library.h"
-#include "editor/model/selection.h"
-#include "engine/material/preset.h"
-#include "engine/render/session.h"
-
 #include <imgui.h>
 
 #include <filesystem>
 #include <functional>
 #include <string>
+
+#include "editor/model/document.h"
+#include "editor/model/preset_library.h"
+#include "editor/model/selection.h"
+#include "engine/material/preset.h"
+#include "engine/render/session.h"
 
 namespace vamp::ui {
 
@@ -18,8 +18,8 @@ enum class Tool { pick, orbit };
 
 // The picture as the viewport shows it: textures that the application keeps up to date.
 struct ViewportTextures {
-  ImTextureID picture = nullptr;   // the rendered picture, drawn 1:1
-  ImTextureID outline = nullptr;   // RGBA overlay: outlines of the selection and of what the mouse is over; may be null
+  ImTextureID picture = nullptr;  // the rendered picture, drawn 1:1
+  ImTextureID outline = nullptr;  // RGBA overlay: outlines of the selection and of what the mouse is over; may be null
   int width = 0, height = 0;
 };
 
@@ -35,14 +35,19 @@ struct PanelContext {
   ViewportTextures viewport;
   Tool tool = Tool::pick;
   bool show_outlines = true;
+  Pick hover;  // what the mouse is over in the viewport; part -1 while it is elsewhere
+
+  // What lies under a point of the picture, in pixels; empty: the session answers.
+  std::function<Pick(float x, float y)> pick;
 
   // Asked by panels, done by the application.
-  std::function<void(int width, int height)> resize_viewport;                    // in pixels, when its panel changed size
-  std::function<ImTextureID(const PresetInfo&)> thumbnail;                       // null texture: none
-  std::function<void(const std::filesystem::path&, int part)> assign_preset;     // loads it and puts it on a part
-  std::function<void(int material)> save_preset_as;                              // opens the dialog for a name
-  std::function<void()> choose_environment;                                      // opens the file dialog
-  std::function<void(const std::string& action)> run;                            // an action of the registry by its id
+  std::function<void(int width, int height)> resize_viewport;                 // in pixels, when its panel changed size
+  std::function<ImTextureID(const PresetInfo&)> thumbnail;                    // null texture: none
+  std::function<void(const std::filesystem::path&, int part)> assign_preset;  // loads it and puts it on a part
+  std::function<void(int material)> save_preset_as;                           // opens the dialog for a name
+  std::function<void()> choose_environment;                                   // opens the file dialog
+  std::function<void(const std::string& action)> run;                         // an action of the registry by its id
+  std::function<void(const std::string& line)> report;                        // something failed: one line to show
 };
 
 }  // namespace vamp::ui
