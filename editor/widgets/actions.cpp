@@ -112,7 +112,8 @@ void Actions::draw_item(const Action& action) {
   const bool checked = action.checked && action.checked();
   const char* shortcut = action.shortcut.empty() ? nullptr : action.shortcut.c_str();
   ImGui::PushID(action.id.c_str());
-  if (ImGui::MenuItem(action.label.c_str(), shortcut, checked, is_enabled(action))) action.run();
+  const std::string label = action.text ? action.text() : action.label;
+  if (ImGui::MenuItem((label + "###item").c_str(), shortcut, checked, is_enabled(action))) action.run();
   ImGui::PopID();
 }
 
@@ -162,7 +163,7 @@ void Actions::draw_menus() {
 void Actions::tool(std::string_view id, const char* label) {
   const Action* action = find(id);
   CHECK(action != nullptr);
-  std::string tip = action->tooltip.empty() ? action->label : action->tooltip;
+  std::string tip = action->text ? action->text() : action->tooltip.empty() ? action->label : action->tooltip;
   if (!action->shortcut.empty()) tip += "  (" + action->shortcut + ")";
   const std::string shown = (*label != 0 ? std::string(label) : action->label) + "###" + action->id;
   const bool checked = action->checked && action->checked();

@@ -32,6 +32,7 @@ struct Action {
   std::function<bool()> checked;  // empty: not a switch
   std::string tooltip;
   int group = 0;  // a separator stands between neighbours of different groups
+  std::function<std::string()> text;  // in place of the label in menus and tooltips where it changes: "Undo Gloss"
 };
 
 class Actions {

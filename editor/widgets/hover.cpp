@@ -38,6 +38,13 @@ void hover_text(const char* text) {
 }
 
 void show_tooltip(const char* title, const char* text, const char* footer) {
+  // Below the pointer, so that it does not cover the control that it explains; above where there is no room below.
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool low = mouse.y > ImGui::GetIO().DisplaySize.y - px(140);
+  const float right = ImGui::GetIO().DisplaySize.x - px(8);
+  const bool far_right = mouse.x > right - px(320);
+  ImGui::SetNextWindowPos(ImVec2(far_right ? right : mouse.x + px(8), low ? mouse.y - px(14) : mouse.y + px(22)),
+                          ImGuiCond_Always, ImVec2(far_right ? 1.0f : 0.0f, low ? 1.0f : 0.0f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(8), px(6)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(320));
