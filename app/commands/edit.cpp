@@ -1,18 +1,51 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/command.h"
+#include "app/commands/interrupt.h"
+#include "app/editor/options.h"
+#include "engine/project/job_options.h"
 
 namespace vamp {
+namespace {
+
+Status open_editor(EditorOptions options, const CommonOptions& common) {
+  options.device = common.device;
+  options.validate = common.validate;
+  catch_interrupts();
+  options.interrupted = interrupted;
+  return run_editor(options);
+}
+
+}  // namespace
 
 void add_edit(CLI::App& app, CommonOptions& common, Action& action) {
-  auto file = std::make_shared<std::string>();
+  auto options = std::make_shared<EditorOptions>();
+  auto size = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("edit", "Open the editor; also without the word: vamp [FILE]");
-  verb->add_option("file", *file, "Model or project to open; the shipped derby by default");
-  verb->callback([file, &common, &action] { action = [file, &common] { return edit(*file, common); }; });
+  verb->add_option("file", options->file,
+                   "Model or project to open; what was open last, else the shipped derby by default");
+  verb->add_flag("--safe-mode", options->safe_mode, "Neither read nor write settings and layout");
+  verb->add_option("--ui", options->ui, "Who draws the user interface")
+      ->check(CLI::IsMember({"auto", "cpu", "vulkan"}))
+      ->capture_default_str();
+  verb->add_option("--size", *size, "Size of the window, WxH");
+  verb->add_option("--frames", options->frames, "Draw this many frames, print what they took as JSON, and end")
+      ->check(CLI::PositiveNumber);
+  verb->add_option(
+      "--record-exit", options->record_exit,
+      "At the end write the linear picture and its job to this .exr, once it has the project's last sample");
+  verb->callback([options, size, &common, &action] {
+    action = [options, size, &common]() -> Status {
+      if (!size->empty()) {
+        VAMP_TRY(const uvec2 wanted, parse_size(*size, "--size"));
+        options->width = static_cast<int>(wanted.x);
+        options->height = static_cast<int>(wanted.y);
+      }
+      return open_editor(*options, common);
+    };
+  });
 }
 
-Status edit(const std::string&, const CommonOptions&) {
-  return fail(ErrorKind::failed, "", "", "this build has no window; vamp render makes pictures without one");
-}
+Status edit(const std::string& file, const CommonOptions& common) { return open_editor({.file = file}, common); }
 
 }  // namespace vamp

@@ -13,6 +13,7 @@
 #include "engine/core/progress.h"
 #include "engine/gpu/device.h"
 #include "engine/image/metadata.h"
+#include "engine/project/default_project.h"
 #include "engine/project/project_file.h"
 
 namespace vamp {
@@ -34,7 +35,7 @@ Status check_output(const fs::path& path) {
 // The scene that is asked for, with what its job says where it comes from a snapshot.
 Result<Project> load(const RenderText& text, RenderOptions& options) {
   if (!text.scene.empty()) return open_scene(text.scene);
-  if (text.from.empty()) return open_scene(shipped_dir("scenes") / "derby.glb");
+  if (text.from.empty()) return default_project();
   VAMP_TRY(const Metadata metadata, read_metadata(fs::path(text.from)));
   const auto found = metadata.find(std::string(kJobKey));
   if (found == metadata.end())
@@ -93,7 +94,8 @@ Status render(const RenderText& text, const CommonOptions& common) {
                 .width = size.x,
                 .height = size.y,
                 .samples = still->samples,
-                .complete = still->complete,
+                // A picture that was asked for by its time alone is whole when the time is over.
+                .complete = still->complete || (options.seconds && !interrupted()),
                 .device = device->info().name,
                 .driver = device->info().driver};
   VAMP_CHECK_STATUS(save_snapshot(*still, job, text.output, text.format));
