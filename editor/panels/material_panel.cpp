@@ -142,8 +142,8 @@ void MaterialPanel::draw_residual(PanelContext& context) {
   int policy = static_cast<int>(material.edits.residual_policy);
   const EditOf<int> chosen =
       combo_row("After edits", policy, kPolicies, static_cast<int>(ResidualPolicy::follow),
-                "What the residual does when functions are edited: it is scaled with their brightness, stays as it is, "
-                "or goes away the further they are from the fit.");
+                "What the residual does when functions are edited: it is scaled with their brightness, stays as fitted, "
+                "or loses the share of functions whose shape was edited.");
   apply_edit(document, chosen,
              [&] { return set_residual_policy(*project, index, static_cast<ResidualPolicy>(policy)); });
   gap(2);

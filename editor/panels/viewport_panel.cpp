@@ -73,7 +73,11 @@ void ViewportPanel::update_hover(PanelContext& context, ImVec2 low, bool over) {
   }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const ImVec2 at(mouse.x - low.x, mouse.y - low.y);
-  if (at.x == hover_at_.x && at.y == hover_at_.y && hover_revision_ == context.document.revision()) return;
+  // The renderer answers for the picture it shows, which follows the document a moment later.
+  const uint64_t picture = context.session != nullptr ? context.session->picture_version() : 0;
+  const bool same = at.x == hover_at_.x && at.y == hover_at_.y && hover_picture_ == picture;
+  if (same && hover_revision_ == context.document.revision()) return;
+  hover_picture_ = picture;
   hover_at_ = at;
   hover_revision_ = context.document.revision();
   context.hover = pick_at(context, at.x, at.y);

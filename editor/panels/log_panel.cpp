@@ -1,0 +1,66 @@
+#include "editor/panels/log_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "editor/widgets/controls.h"
+#include "editor/widgets/theme.h"
+#include "engine/core/log.h"
+
+namespace vamp::ui {
+
+namespace {
+
+bool contains(const std::string& text, const std::string& wanted) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), wanted.begin(), wanted.end(), same) != text.end();
+}
+
+ImU32 colour_of(int level) {
+  if (level >= spdlog::level::err) return theme().error;
+  if (level == spdlog::level::warn) return theme().changed;
+  return level == spdlog::level::info ? theme().label : theme().dim;
+}
+
+}  // namespace
+
+void LogPanel::draw(PanelContext&) {
+  constexpr std::array<int, 4> kLevels{spdlog::level::trace, spdlog::level::info, spdlog::level::warn,
+                                       spdlog::level::err};
+  constexpr std::array<const char*, 4> kNames{"All", "Info", "Warnings", "Errors"};
+  for (int i = 0; i < static_cast<int>(kNames.size()); ++i) {
+    if (tool_button(kNames[static_cast<size_t>(i)], least_ == i, true, "Lines of this level and above")) least_ = i;
+    ImGui::SameLine();
+  }
+  std::vector<LogLine> lines = recent_log();
+  std::erase_if(lines, [&](const LogLine& line) {
+    return line.level < kLevels[static_cast<size_t>(least_)] || (!search_.empty() && !contains(line.text, search_));
+  });
+  if (tool_button("Copy", false, !lines.empty(), "Copies the lines that are shown")) {
+    std::string all;
+    for (const LogLine& line : lines) all += line.text + '\n';
+    ImGui::SetClipboardText(all.c_str());
+  }
+  ImGui::SameLine();
+  search_field("search", search_, "Search the log");
+  gap(2);
+  if (!ImGui::BeginChild("lines")) {
+    ImGui::EndChild();
+    return;
+  }
+  const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY();
+  for (const LogLine& line : lines) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(line.level));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(line.text.c_str(), line.text.c_str() + line.text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+  if (at_end) ImGui::SetScrollHereY(1);
+  ImGui::EndChild();
+}
+
+}  // namespace vamp::ui

@@ -1,0 +1,234 @@
+// The picture under the mouse: what selects, what moves the camera, what does neither.
+#include <glm/geometric.hpp>
+
+#include "tests/panels/panel_test.h"
+
+namespace vamp::ui {
+namespace {
+
+class Viewport : public PanelTest {
+ protected:
+  Viewport() {
+    context_.viewport.width = 400;
+    context_.viewport.height = 500;
+    context_.resize_viewport = [this](int width, int height) {
+      ++resizes_;
+      width_ = width;
+      height_ = height;
+    };
+    context_.assign_preset = [this](const std::filesystem::path& path, int part) {
+      assigned_ = path.string();
+      assigned_part_ = part;
+    };
+    // The left half shows the vamp, the right half nothing.
+    context_.pick = [this](float x, float) {
+      Pick pick;
+      if (x < 200) {
+        pick.part = find_part(*document_.project(), "Vamp");
+        pick.cluster = 1;
+      }
+      return pick;
+    };
+  }
+  void step(int frames = 1) { draw(panel_, frames); }
+  void hold(int button, bool down) {
+    press(down, button);
+    step();
+  }
+  void drag(int button, float x, float y, float dx, float dy) {
+    move(x, y);
+    step(2);
+    hold(button, true);
+    for (int i = 1; i <= 4; ++i) {
+      move(x + dx * static_cast<float>(i) / 4, y + dy * static_cast<float>(i) / 4);
+      step();
+    }
+    hold(button, false);
+    step();
+  }
+  void click(float x, float y) {
+    drag(0, x, y, 0, 0);
+    for (int i = 0; i < 12; ++i) step();  // apart from the next click
+  }
+  void tap(int code) {
+    key(code, true);
+    step();
+    key(code, false);
+    step();
+  }
+  const Camera& camera() const { return document_.project()->camera; }
+
+  ViewportPanel panel_;
+  int resizes_ = 0, width_ = 0, height_ = 0;
+  std::string assigned_;
+  int assigned_part_ = -1;
+};
+
+TEST_F(Viewport, AsksForItsSizeOnce) {
+  step(5);
+  EXPECT_EQ(resizes_, 1);
+  EXPECT_EQ(width_, 400);
+  EXPECT_EQ(height_, 500);
+}
+
+TEST_F(Viewport, AClickSelectsPartAndCluster) {
+  const Camera before = camera();
+  click(100, 200);
+  EXPECT_EQ(selection_.part, find_part(*document_.project(), "Vamp"));
+  EXPECT_EQ(selection_.material, document_.project()->parts[static_cast<size_t>(selection_.part)].material);
+  EXPECT_EQ(selection_.cluster, 1);
+  EXPECT_EQ(camera(), before);
+  click(300, 200);
+  EXPECT_EQ(selection_, Selection{});
+}
+
+TEST_F(Viewport, EscSelectsNothing) {
+  click(100, 200);
+  ASSERT_GE(selection_.part, 0);
+  tap(kEscape);
+  EXPECT_EQ(selection_, Selection{});
+}
+
+TEST_F(Viewport, ADragIsNoClick) {
+  drag(0, 100, 200, 30, 0);
+  EXPECT_EQ(selection_, Selection{});
+  drag(0, 100, 200, 3, 0);  // a hand trembles
+  EXPECT_GE(selection_.part, 0);
+}
+
+TEST_F(Viewport, TheOrbitToolTurnsWithoutAStep) {
+  context_.tool = Tool::orbit;
+  const Camera before = camera();
+  drag(0, 100, 200, 40, 20);
+  EXPECT_NE(camera().eye, before.eye);
+  EXPECT_EQ(camera().target, before.target);
+  EXPECT_NEAR(glm::length(camera().eye - camera().target), glm::length(before.eye - before.target), 1e-4f);
+  EXPECT_GT(camera().eye.y, before.eye.y);  // pulled down: seen from higher
+  EXPECT_EQ(selection_, Selection{});
+  EXPECT_TRUE(document_.step_names().empty());
+  EXPECT_FALSE(document_.dirty());
+}
+
+TEST_F(Viewport, OtherButtonsOrbitInAnyToolAndShiftMiddlePans) {
+  Camera before = camera();
+  drag(1, 100, 200, 40, 0);
+  EXPECT_NE(camera().eye, before.eye);
+  before = camera();
+  drag(2, 100, 200, 40, 0);
+  EXPECT_NE(camera().eye, before.eye);
+  EXPECT_EQ(camera().target, before.target);
+  before = camera();
+  ImGui::GetIO().KeyShift = true;
+  drag(2, 100, 200, 40, 0);
+  ImGui::GetIO().KeyShift = false;
+  EXPECT_NE(camera().target, before.target);
+  EXPECT_NEAR(glm::length((camera().eye - camera().target) - (before.eye - before.target)), 0, 1e-5f);
+}
+
+// What is under the mouse when a pan begins is under it when it ends.
+TEST_F(Viewport, PanFollowsTheMouse) {
+  const Camera before = camera();
+  ImGui::GetIO().KeyShift = true;
+  drag(2, 200, 250, 60, -40);
+  ImGui::GetIO().KeyShift = false;
+  const CameraFrame frame = camera_frame(camera(), 400.0f / 500);
+  const vec3 way = before.target - frame.origin;
+  const float depth = glm::dot(way, frame.forward);
+  const float half = glm::length(frame.up);
+  EXPECT_NEAR(glm::dot(way, frame.right) / glm::dot(frame.right, frame.right) / depth * 200, 60, 0.5f);
+  EXPECT_NEAR(glm::dot(way, frame.up) / (half * half) / depth * 250, 40, 0.5f);
+}
+
+TEST_F(Viewport, TheWheelZoomsToTheMouse) {
+  step(2);
+  move(300, 150);
+  step();
+  const auto at_mouse = [&] {
+    const CameraFrame frame = camera_frame(camera(), 400.0f / 500);
+    const float depth = glm::length(camera().target - camera().eye);
+    const float x = 2 * 300.0f / 400 - 1, y = 1 - 2 * 150.0f / 500;
+    return frame.origin + depth * (frame.forward + x * frame.right + y * frame.up);
+  };
+  const vec3 before = at_mouse();
+  const float distance = glm::length(camera().target - camera().eye);
+  ImGui::GetIO().MouseWheel = 2;
+  step();
+  EXPECT_LT(glm::length(camera().target - camera().eye), distance);
+  EXPECT_LT(glm::length(at_mouse() - before), 1e-4f * distance);
+}
+
+TEST_F(Viewport, KeysTurnAndFit) {
+  click(300, 200);
+  const Camera before = camera();
+  tap(263);
+  EXPECT_NE(camera().eye, before.eye);
+  EXPECT_EQ(camera().target, before.target);
+  document_.set_camera(dolly(camera(), 30, 1));
+  tap('F');
+  const Camera fitted = fit(camera(), document_.project()->scene->bounds, 0.8f);
+  EXPECT_LT(glm::length(camera().eye - fitted.eye), 1e-4f);
+}
+
+TEST_F(Viewport, ADoubleClickOnNothingFits) {
+  document_.set_camera(dolly(camera(), 30, 1));
+  const float far = glm::length(camera().eye - camera().target);
+  move(300, 200);
+  step(2);
+  for (const bool down : {true, false, true, false}) hold(0, down);
+  EXPECT_LT(glm::length(camera().eye - camera().target), far / 2);
+}
+
+TEST_F(Viewport, APresetDroppedOnAPartIsAssignedToIt) {
+  const auto both = [&] {
+    frame([&] {
+      ImGui::Button("preset", ImVec2(100, 40));
+      if (ImGui::BeginDragDropSource()) {
+        ImGui::SetDragDropPayload(kPresetPayload, "/presets/calf.vamp", 19);
+        ImGui::EndDragDropSource();
+      }
+      ImGui::BeginChild("view", ImVec2(380, 400));
+      panel_.draw(context_);
+      ImGui::EndChild();
+    });
+  };
+  const auto drop_at = [&](float x) {
+    assigned_.clear();
+    move(50, 30);
+    both();
+    both();
+    press(true);
+    both();
+    for (const float t : {0.3f, 0.6f, 1.0f, 1.0f}) {
+      move(50 + (x - 50) * t, 30 + 200 * t);
+      both();
+    }
+    press(false);
+    both();
+    both();
+  };
+  drop_at(100);
+  EXPECT_EQ(assigned_, "/presets/calf.vamp");
+  EXPECT_EQ(assigned_part_, find_part(*document_.project(), "Vamp"));
+  drop_at(300);
+  EXPECT_EQ(assigned_, "");
+}
+
+TEST_F(Viewport, ChipsSayWhatTheRendererAndTheMouseDo) {
+  RenderStatus status;
+  status.samples = 256;
+  status.seconds = 18.43;
+  status.noise = 0.008f;
+  status.ms_per_sample = 72;
+  status.device = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  EXPECT_EQ(status_text(status), "256 samples · 18.4 s · noise 0.8 % · 72 ms a sample · llvmpipe");
+  Pick pick;
+  EXPECT_EQ(pick_text(*document_.project(), pick), "");
+  pick.part = find_part(*document_.project(), "Vamp");
+  pick.cluster = 1;
+  EXPECT_EQ(pick_text(*document_.project(), pick), "Vamp · cluster 1 “second” · 7 bases");
+  pick.part = 77;
+  EXPECT_EQ(pick_text(*document_.project(), pick), "");
+}
+
+}  // namespace
+}  // namespace vamp::ui
