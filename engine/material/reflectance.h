@@ -27,9 +27,9 @@ double normal_albedo(const Basis& basis);
 // Mean RGB albedo of the parametric part of a cluster, edits included: cosine-weighted over viewers.
 dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster);
 
-// What multiplies a function's fitted weights after the edits: its gain, or 0 where it is muted or where another of the
-// cluster is soloed. The argument list names the cluster's solo state so that it is found once a cluster.
+// Whether a function of this cluster is soloed, which silences the cluster's others.
 bool any_solo(const EditLayer& edits, int cluster);
+// What multiplies a function's fitted weights after the edits: its gain, or 0 where it is muted or another is soloed.
 vec3 effective_gain(const BasisEdit& edit, bool cluster_has_solo);
 
 }  // namespace vamp

@@ -38,7 +38,8 @@ std::vector<Pore> pores(uint32_t seed) {
     const double angle = 0.5 + 0.8 * noise(u, v, 3, 3, seed + 1);
     for (int k = 0; k < row; ++k) {
       const double along = (0.42 + 0.12 * hash01(i, 3 + k, seed)) / kMm * k;
-      list.push_back({u + along * std::cos(angle), v + along * std::sin(angle), 0.075 + 0.045 * hash01(i, 9 + k, seed)});
+      list.push_back(
+          {u + along * std::cos(angle), v + along * std::sin(angle), 0.075 + 0.045 * hash01(i, 9 + k, seed)});
     }
   }
   return list;
@@ -66,8 +67,8 @@ Grain grain_at(double u, double v, const std::vector<Pore>& holes, uint32_t seed
                       cell_mm;
   g.height = 0.105 * depth * dome + 0.022 * (own - 0.5) * dome + tilt * dome;
   const double fine_edge = std::max(fine.edge, 0.0) * fine_mm;
-  g.height += 0.030 * (1 - std::exp(-fine_edge / 0.12)) *
-              std::clamp(0.55 + 0.8 * noise(u, v, 16, 16, seed + 19), 0.05, 1.2);
+  g.height +=
+      0.030 * (1 - std::exp(-fine_edge / 0.12)) * std::clamp(0.55 + 0.8 * noise(u, v, 16, 16, seed + 19), 0.05, 1.2);
   g.crease = (1 - smoothstep(0.03, 0.19, edge)) * std::clamp(0.1 + 0.9 * depth, 0.0, 1.0);
 
   // Wrinkles: shallow folds across the flow.
@@ -149,14 +150,14 @@ Surface make_calf(uint32_t seed) {
       const double cloud = 0.5 * fractal(u, v, 3, 3, 3, seed + 31), own = hash01(g.plate.id, 5, seed + 32) - 0.5;
       const double tone = 1 + 0.13 * cloud + 0.12 * own + 0.05 * noise(u, v, 90, 90, seed + 33);
       const double dark = std::clamp(0.58 * g.crease + 0.55 * g.pore, 0.0, 0.85);
-      const dvec3 light(0.325, 0.118, 0.036), deep(0.085, 0.024, 0.009);
+      const dvec3 light(0.300, 0.102, 0.028), deep(0.080, 0.021, 0.007);
       Skin skin;
       skin.albedo = vec3((light * (1 - dark) + deep * dark) * tone);
       skin.gloss = static_cast<float>(1.25 * (1.0 - 0.5 * g.crease - 0.6 * g.pore) *
                                       std::clamp(1.0 + 0.25 * fractal(u, v, 6, 6, 2, seed + 34), 0.5, 1.4));
       skin.f0 = 0.05f;
       skin.along = skin.across =
-          static_cast<float>(std::clamp(0.18 + 0.12 * g.crease + 0.045 * noise(u, v, 11, 11, seed + 35), 0.14, 0.4));
+          static_cast<float>(std::clamp(0.17 + 0.12 * g.crease + 0.045 * noise(u, v, 11, 11, seed + 35), 0.14, 0.4));
       s.skin.push_back(skin);
 
       const double slope = std::hypot(double{n.x}, double{n.y}), azimuth = std::atan2(double{n.y}, double{n.x});

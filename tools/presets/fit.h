@@ -14,14 +14,19 @@ inline constexpr int kPairs = kDirections * kDirections;  // pair = view * 81 + 
 struct ParametricFit {
   Eigen::MatrixXf shapes;                 // [basis, pair]: fcos with SPMM's cuts and windows
   std::vector<Eigen::MatrixX3f> weights;  // per texel, [basis, channel], at most max_entries rows not 0
-  std::vector<Eigen::Matrix3Xf> mean;     // per cluster, [channel, pair]: mean of data minus parametric part
-  std::vector<double> texels;             // per cluster: how many that mean was taken over
+  std::vector<bool> glossy;               // per basis: serves the finish, not the body
+  std::vector<Eigen::Matrix3Xf> mean;     // per cluster, [channel, pair]: mean of the body minus its parametric part
   double error = 0;                       // relative RMSE of the parametric part, weighted
 };
 
 // Least squares over all 81 x 81 directions with non-negative weights, weighted half by projected solid angle, half
-// uniformly; functions that matter least are dropped until `max_entries` are left.
+// uniformly; functions that matter least are dropped until `max_entries` are left for the body and as many for the
+// finish. Body and finish are fitted apart, each by its own models: so colours stay in the body, and the finish is
+// carried by lobes alone. A residual over directions 15 degrees apart cannot hold a highlight narrower than that.
 ParametricFit fit_parametric(const Surface& surface, const Goniometer& goniometer, int max_entries);
+
+// What a texel's body keeps after its parametric part, [channel, pair].
+Eigen::Matrix3Xf body_leftover(const Goniometer& goniometer, const ParametricFit& fit, int texel);
 
 struct ResidualFit {
   Residual residual;

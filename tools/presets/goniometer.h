@@ -20,14 +20,16 @@ class Goniometer {
  public:
   explicit Goniometer(const Surface& surface);
 
-  // Radiance of a texel for one view under all lights: out[3 * light + channel].
-  void measure(int texel, int view, float* out) const;
+  // Radiance of a texel for one view under all lights, in two parts: the coloured body with bounced light and stray
+  // fibres, body[3 * light + channel], and the white finish, gloss[light]; `gloss` may be null.
+  void measure(int texel, int view, float* body, float* gloss) const;
 
   // Share of the cosine-weighted hemisphere that a texel sees.
   float openness(int texel) const { return openness_[static_cast<size_t>(texel)]; }
   vec3 normal(int texel) const { return normals_[static_cast<size_t>(texel)]; }
 
  private:
+  float finish(const Skin& skin, vec3 n, vec3 light, vec3 v) const;
   void find_shadows();
   void find_views();
   void gather_bounce();

@@ -77,7 +77,7 @@ Status build(const std::string& name, const Recipe& recipe, const fs::path& fold
   const Surface surface = recipe.make(kSeed);
   const Goniometer goniometer(surface);
   fmt::print("{}: mesostructure and goniometer {:.1f} s\n", name, seconds());
-  const ParametricFit parametric = fit_parametric(surface, goniometer, 5);
+  const ParametricFit parametric = fit_parametric(surface, goniometer, 3);
   fmt::print("  weights {:.1f} s, parametric error {:.1f} %\n", seconds(), 100 * parametric.error);
   const ResidualFit residual = fit_residual(surface, goniometer, parametric);
   fmt::print("  residual {:.1f} s\n", seconds());

@@ -16,9 +16,7 @@ constexpr int kSamples = 96;  // texels of a cluster that its PCA is made from
 using Row = Eigen::RowVectorXf;
 
 Row leftover(const Goniometer& goniometer, const ParametricFit& fit, int texel, const Eigen::Matrix3Xf& mean) {
-  Eigen::Matrix3Xf data(3, kPairs);
-  for (int v = 0; v < kDirections; ++v) goniometer.measure(texel, v, data.data() + 3 * kDirections * v);
-  data -= fit.weights[static_cast<size_t>(texel)].transpose() * fit.shapes + mean;
+  Eigen::Matrix3Xf data = body_leftover(goniometer, fit, texel) - mean;
   return Eigen::Map<Row>(data.data(), kValues);
 }
 
@@ -71,7 +69,7 @@ ResidualFit fit_residual(const Surface& surface, const Goniometer& goniometer, c
     }
     for (const int t : members)
       out.coefficients[static_cast<size_t>(t)] =
-          (projections * leftover(goniometer, fit, t, mean).transpose()).cwiseMin(6.f).cwiseMax(-6.f);
+          (projections * leftover(goniometer, fit, t, mean).transpose()).cwiseMin(4.f).cwiseMax(-4.f);
     for (int pair = 0; pair < kPairs; ++pair) {
       auto& record = out.residual.records[static_cast<size_t>(c) * kPairs + static_cast<size_t>(pair)];
       std::fill(std::begin(record.halves), std::end(record.halves), 0u);

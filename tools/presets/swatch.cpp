@@ -52,7 +52,7 @@ dvec3 Swatch::value(double x_mm, double y_mm, dvec3 wi, dvec3 wo) const {
 
 Image Swatch::ball(int side, double ball_mm) const {
   Image image(side, side, {"R", "G", "B"});
-  const std::vector<Lamp> lamps = {{unit({-0.5, 0.6, 0.8}), 0.22, 2.7, 8},
+  const std::vector<Lamp> lamps = {{unit({-0.5, 0.6, 0.8}), 0.17, 2.7, 8},
                                    {unit({0.85, 0.15, 0.55}), 0.6, 0.55, 4},
                                    {unit({0.45, 0.6, -0.25}), 0.3, 0.8, 3},
                                    {unit({0.0, 1.0, 0.25}), 0.9, 0.5, 4}};
@@ -61,7 +61,7 @@ Image Swatch::ball(int side, double ball_mm) const {
       dvec3 sum(0);
       constexpr int kGrid = 3;
       for (int s = 0; s < kGrid * kGrid; ++s) {
-        const auto random = [&](int k) { return hash01(row * 4096 + column, s * 64 + k, 5); };
+        const auto random = [&](int k) { return hash01(row * 4096 + column, s * 256 + k, 5); };
         const double x = (column + (s % kGrid + random(0)) / kGrid) / side * 2.2 - 1.1;
         const double y = 1.1 - (row + (s / kGrid + random(1)) / kGrid) / side * 2.2;
         const double r2 = x * x + y * y;
@@ -89,10 +89,11 @@ Image Swatch::ball(int side, double ball_mm) const {
             const dvec3 wi = unit(lamp.direction + side1 * (rr * std::cos(phi)) + side2 * (rr * std::sin(phi)));
             sum += value(u, v, local(wi), local(view)) * (lamp.irradiance / lamp.samples);
           }
-        // Even light from all sides.
-        for (int i = 0; i < 3; ++i, k += 2) {
+        // Even light from all sides; towards the rim, where the finish mirrors it, more of it.
+        const int even = 4 + static_cast<int>(40 * std::pow(1 - n.z, 3));
+        for (int i = 0; i < even; ++i, k += 2) {
           const double z = random(k), phi = 2 * kPi * random(k + 1), ss = std::sqrt(1 - z * z);
-          sum += value(u, v, {ss * std::cos(phi), ss * std::sin(phi), z}, local(view)) * (2 * kPi * 0.12 / 3);
+          sum += value(u, v, {ss * std::cos(phi), ss * std::sin(phi), z}, local(view)) * (2 * kPi * 0.12 / even);
         }
       }
       for (int c = 0; c < 3; ++c) image.at(column, row, static_cast<size_t>(c)) = shown(sum[c] / 9);

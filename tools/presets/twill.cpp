@@ -106,7 +106,7 @@ Surface make_twill(uint32_t seed) {
   s.mm = kMm;
   s.fibres = true;
   s.sigma = 0.5f;
-  s.fuzz = 0.22f;
+  s.fuzz = 0.38f;
   s.dictionary = dictionary();
   s.height.resize(static_cast<size_t>(kFineSide) * kFineSide);
   for (int y = 0; y < kFineSide; ++y)
@@ -137,9 +137,9 @@ Surface make_twill(uint32_t seed) {
                            0.16 * (hash01(p.index, p.warp ? 4 : 5, seed + 32) - 0.5) +
                            0.10 * noise(u, v, 3, 3, seed + 33);
       const double stranger = smoothstep(0.55, 0.8, streak(u, v, p.warp, 90, seed + 34));
-      const dvec3 warp(0.078, 0.080, 0.092), weft(0.270, 0.245, 0.208);
+      const dvec3 warp(0.084, 0.085, 0.094), weft(0.250, 0.227, 0.192);
       const dvec3 other = p.warp ? dvec3(0.21, 0.20, 0.20) : dvec3(0.13, 0.10, 0.075);
-      const dvec3 colour = (p.warp ? warp : weft) * (1 - 0.55 * stranger) + other * (0.55 * stranger);
+      const dvec3 colour = (p.warp ? warp : weft) * (1 - 0.7 * stranger) + other * (0.7 * stranger);
       Skin skin;
       skin.albedo = vec3(colour * std::max(1 + shade, 0.4));
       skin.gloss = 0.028f;
