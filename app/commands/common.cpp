@@ -57,7 +57,7 @@ void add_help(CLI::App& app, Action& action) {
       }
       const auto found = app.get_subcommands([&name](const CLI::App* each) { return each->get_name() == *name; });
       if (found.empty()) return fail(ErrorKind::usage, "", "help", "one of the verbs of vamp --help", *name);
-      fmt::print("{}", found.front()->help());
+      fmt::print("{}", found.front()->help(app.get_name()));
       return {};
     };
   });
