@@ -128,6 +128,13 @@ Surface make_twill(uint32_t seed) {
   s.clusters[3].name = "warp flank west", s.clusters[4].name = "warp flank east";
   s.clusters[8].name = "weft flank south", s.clusters[9].name = "weft flank north";
 
+  // The lowest texels lie in the gaps between yarns, the next where one yarn dives below another.
+  std::vector<double> heights;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) heights.push_back(weave_at((x + 0.5) / kSide, (y + 0.5) / kSide, seed).height);
+  std::sort(heights.begin(), heights.end());
+  const double gap = heights[heights.size() / 25], crossing = heights[heights.size() / 6];
+
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const double u = (x + 0.5) / kSide, v = (y + 0.5) / kSide;
@@ -152,9 +159,9 @@ Surface make_twill(uint32_t seed) {
       const vec3 n = normals[static_cast<size_t>(y * kSide + x)];
       const auto first = static_cast<uint8_t>(p.warp ? 0 : 5);
       uint8_t cluster;
-      if (p.height < 0.02)
+      if (p.height < gap)
         cluster = 12;
-      else if (p.height < 0.095)
+      else if (p.height < crossing)
         cluster = p.warp ? 10 : 11;
       else if (std::abs(p.across) > 0.45)
         cluster = static_cast<uint8_t>(first + (p.across < 0 ? 3 : 4));
