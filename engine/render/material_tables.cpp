@@ -135,7 +135,8 @@ std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables&
       row.offset_x = part.texture_offset.x / period.x;
       row.offset_y = part.texture_offset.y / period.y;
       row.rotation_cos = c;
-      row.rotation_sin = s;
+      // The frame's second axis points to falling v, where the turn goes the other way round.
+      row.rotation_sin = -s;
     }
     row.mirror_f0 = part.mirror_f0;
     row.alpha_cutoff = geometry.material.alpha_cutoff;
