@@ -45,6 +45,27 @@ bool differ(const Shown& shown, const Rows& rows, Get get) {
   });
 }
 
+// The items of a list with their tooltips.
+class Choices {
+ public:
+  void add(std::string_view name, std::string_view detail) {
+    texts_.emplace_back(name);
+    details_.emplace_back(detail);
+  }
+  // Good until the next call.
+  std::span<const char* const> names() { return pointers(texts_, name_pointers_); }
+  std::span<const char* const> details() { return pointers(details_, detail_pointers_); }
+
+ private:
+  static std::span<const char* const> pointers(const std::vector<std::string>& texts, std::vector<const char*>& out) {
+    out.clear();
+    for (const std::string& text : texts) out.push_back(text.c_str());
+    return out;
+  }
+  std::vector<std::string> texts_, details_;
+  std::vector<const char*> name_pointers_, detail_pointers_;
+};
+
 float half_turn(float radians) { return std::remainder(glm::degrees(radians), 360.0f); }
 
 }  // namespace
@@ -100,15 +121,13 @@ void BasisSection::draw_model(PanelContext& context, const Rows& rows) {
   state.locked = shown.edit.lock;
   state.mixed = differ(shown, rows, [](const Basis& basis, const BasisEdit&) { return basis.lobe.model; });
 
-  std::vector<std::string> texts;
-  std::vector<const char*> names;
-  for (const ModelRow& row : models()) texts.push_back(fmt::format("{} — {}", row.label, row.tooltip));
-  for (const std::string& text : texts) names.push_back(text.c_str());
+  Choices choices;
+  for (const ModelRow& row : models()) choices.add(row.label, row.tooltip);
   int model = static_cast<int>(lobe.model);
   const std::string about =
       fmt::format("{}\nAnother model starts from its own defaults.", model_row(lobe.model).tooltip);
-  const EditOf<int> chosen =
-      combo_row("Model", model, names, static_cast<int>(shown.fitted.lobe.model), about.c_str(), state);
+  const EditOf<int> chosen = combo_row("Model", model, choices.names(), static_cast<int>(shown.fitted.lobe.model),
+                                       about.c_str(), state, choices.details());
   apply_edit(document, chosen, [&] {
     if (chosen.reset) return reset_control(*project, rows, Control::lobe);
     const ModelRow& row = models()[static_cast<size_t>(model)];
@@ -117,17 +136,15 @@ void BasisSection::draw_model(PanelContext& context, const Rows& rows) {
 
   const std::span<const VariantRow> variants = model_row(lobe.model).variants;
   if (variants.size() < 2) return;
-  texts.clear();
-  names.clear();
-  for (const VariantRow& row : variants) texts.push_back(fmt::format("{} — {}", row.label, row.tooltip));
-  for (const std::string& text : texts) names.push_back(text.c_str());
+  Choices kinds;
+  for (const VariantRow& row : variants) kinds.add(row.label, fmt::format("{}\n{}", row.tooltip, row.citation));
   state.mixed = differ(shown, rows, [](const Basis& basis, const BasisEdit&) { return basis.lobe.variant; });
   const VariantRow& now = variants[std::min<size_t>(lobe.variant, variants.size() - 1)];
   const bool same_model = shown.fitted.lobe.model == lobe.model;
   const int initial = same_model ? shown.fitted.lobe.variant : model_row(lobe.model).default_variant;
   int variant = lobe.variant;
-  const EditOf<int> other =
-      combo_row("Variant", variant, names, initial, fmt::format("{}\n{}", now.tooltip, now.citation).c_str(), state);
+  const EditOf<int> other = combo_row("Variant", variant, kinds.names(), initial,
+                                      fmt::format("{}\n{}", now.tooltip, now.citation).c_str(), state, kinds.details());
   apply_edit(document, other, [&] { return set_model(*project, rows, lobe.model, static_cast<uint8_t>(variant)); });
 }
 

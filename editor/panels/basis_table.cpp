@@ -92,8 +92,8 @@ void BasisTable::draw(PanelContext& context) {
   }
   if (ImGui::BeginTable("bases", 5)) {
     ImGui::TableSetupColumn("M S L", ImGuiTableColumnFlags_WidthFixed, px(58));
-    ImGui::TableSetupColumn("Basis", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-    ImGui::TableSetupColumn("Model", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+    ImGui::TableSetupColumn("Basis", ImGuiTableColumnFlags_WidthStretch, 1.2f);
+    ImGui::TableSetupColumn("Model", ImGuiTableColumnFlags_WidthStretch, 1.0f);
     ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, px(58));
     ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, px(84));
     ImGui::TableNextRow();

@@ -59,25 +59,33 @@ void CameraPanel::draw_camera(PanelContext& context) {
   place(kTarget, &Camera::target, "What the camera looks at and turns about.");
   float fov = camera.fov_degrees;
   const Parameter angle =
-      angle_row("Field of view", "Vertical angle of view.", kMinFovDegrees, kMaxFovDegrees, initial.fov_degrees);
+      angle_row("FOV", "Field of view: the vertical angle.", kMinFovDegrees, kMaxFovDegrees, initial.fov_degrees);
   if (parameter_row(angle, fov)) {
     camera.fov_degrees = fov;
     moved = true;
   }
   if (moved && camera.eye != camera.target) context.document.set_camera(camera);
   gap(4);
-  const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  int column = 0;
+  draw_standard_views(context);
+}
+
+void CameraPanel::draw_standard_views(PanelContext& context) {
+  const float room = ImGui::GetContentRegionAvail().x, spacing = ImGui::GetStyle().ItemSpacing.x;
+  const int columns = room < px(320) ? 2 : 3;
+  const float width = (room - static_cast<float>(columns - 1) * spacing) / static_cast<float>(columns);
+  int index = 0;
+  const auto button = [&](const char* label, const char* tooltip) {
+    if (index++ % columns != 0) ImGui::SameLine();
+    const bool pressed = ImGui::Button(label, ImVec2(width, 0));
+    hover_text(tooltip);
+    return pressed;
+  };
   for (const StandardViewRow& row : kStandardViews) {
-    if (column++ % 3 != 0) ImGui::SameLine();
-    if (ImGui::Button(row.label, ImVec2(width, 0))) standard_view(context, row.view);
-    hover_text(row.tooltip);
+    if (button(row.label, row.tooltip)) standard_view(context, row.view);
   }
-  if (ImGui::Button("Fit the model", ImVec2(width, 0))) fit_view(context);
-  hover_text("The whole model just fits into the picture (F)");
-  ImGui::SameLine();
+  if (button("Fit model", "The whole model just fits into the picture (F)")) fit_view(context);
   ImGui::BeginDisabled(context.selection.part < 0);
-  if (ImGui::Button("Fit the part", ImVec2(width, 0))) fit_part(context, context.selection.part);
+  if (button("Fit part", "The selected part just fits into the picture")) fit_part(context, context.selection.part);
   ImGui::EndDisabled();
   gap(2);
 }

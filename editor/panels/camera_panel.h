@@ -12,6 +12,7 @@ class CameraPanel {
 
  private:
   void draw_camera(PanelContext& context);
+  void draw_standard_views(PanelContext& context);
   void draw_views(PanelContext& context);
   void draw_view(PanelContext& context, int index);
   std::string name_;  // of the next kept view

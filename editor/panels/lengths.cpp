@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/panels/subject.h"
 #include "engine/project/limits.h"
 
 namespace vamp::ui {
@@ -42,7 +43,7 @@ const Mapping kFromMiddle{middle_to, middle_from};
 const Mapping kLogFromZero{log1_to, log1_from};
 
 float model_radius_mm(const Project& project) {
-  const float radius = project.scene->bounds.radius() * project.mm_per_unit;
+  const float radius = subject_bounds(project).radius() * project.mm_per_unit;
   return std::isfinite(radius) ? std::max(radius, 1.0f) : 1.0f;
 }
 

@@ -10,6 +10,7 @@
 #include "editor/panels/apply_edit.h"
 #include "editor/panels/lengths.h"
 #include "editor/panels/lights_panel.h"
+#include "editor/panels/subject.h"
 #include "editor/widgets/controls.h"
 #include "engine/project/limits.h"
 #include "engine/project/studio.h"
@@ -81,7 +82,7 @@ class Rows {
                         0,
                         high,
                         initial_.power,
-                        directional ? "%.3g W/u²" : "%.3g W",
+                        directional ? "%.4g W/u²" : "%.4g W",
                         directional ? "Irradiance of a surface that faces the light, per square unit of the model."
                                     : "Radiant power of the whole light.",
                         directional ? "W per square unit" : "W",
@@ -182,7 +183,7 @@ class Rows {
 
 Light new_light(const Project& project, LightType type) {
   // The studio's key light, in another shape.
-  const std::vector<Light> studio = studio_lights(project.scene->bounds);
+  const std::vector<Light> studio = studio_lights(subject_bounds(project));
   Light light = studio.empty() ? Light{} : studio.front();
   light.name.clear();
   light.type = type;
@@ -190,7 +191,10 @@ Light new_light(const Project& project, LightType type) {
   light.roll_degrees = 0;
   light.radius = std::max(std::min(light.size.x, light.size.y) / 2, kMinLength);
   if (type == LightType::sphere) light.radius *= 0.5f;
-  // A white matte surface that faces it then shows a radiance of about 0.8, as under the key light.
+  // A white matte surface that faces it then shows a radiance of about 0.8, as under the key light, which sends four
+  // times as much along its axis as one that shines to all sides.
+  const bool all_sides = type == LightType::point || type == LightType::spot || type == LightType::sphere;
+  if (all_sides) light.power *= 4;
   if (type == LightType::directional) light.power = 0.8f * glm::pi<float>();
   return light;
 }

@@ -60,7 +60,7 @@ void LightsPanel::draw_list(PanelContext& context) {
       const std::string name = light.name.empty() ? fmt::format("light {}", i + 1) : light.name;
       cell_text(name.c_str(), light.on ? 0 : theme().dim);
       ImGui::TableNextColumn();
-      const std::string power = fmt::format("{} · {:.3g} {}", name_of(light.type), light.power,
+      const std::string power = fmt::format("{} · {:.4g} {}", name_of(light.type), light.power,
                                             light.type == LightType::directional ? "W/unit²" : "W");
       cell_text(power.c_str(), light_ == i ? 0 : theme().dim);
       ImGui::PopID();

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "editor/widgets/controls.h"
+#include "editor/widgets/hover.h"
 #include "editor/widgets/theme.h"
 #include "engine/core/log.h"
 
@@ -31,19 +32,20 @@ void LogPanel::draw(PanelContext&) {
   constexpr std::array<int, 4> kLevels{spdlog::level::trace, spdlog::level::info, spdlog::level::warn,
                                        spdlog::level::err};
   constexpr std::array<const char*, 4> kNames{"All", "Info", "Warnings", "Errors"};
-  for (int i = 0; i < static_cast<int>(kNames.size()); ++i) {
-    if (tool_button(kNames[static_cast<size_t>(i)], least_ == i, true, "Lines of this level and above")) least_ = i;
-    ImGui::SameLine();
-  }
+  ImGui::SetNextItemWidth(px(96));
+  ImGui::Combo("##level", &least_, kNames.data(), static_cast<int>(kNames.size()));
+  hover_text("Lines of this level and above");
+  ImGui::SameLine();
   std::vector<LogLine> lines = recent_log();
   std::erase_if(lines, [&](const LogLine& line) {
     return line.level < kLevels[static_cast<size_t>(least_)] || (!search_.empty() && !contains(line.text, search_));
   });
-  if (tool_button("Copy", false, !lines.empty(), "Copies the lines that are shown")) {
+  if (ImGui::Button("Copy")) {
     std::string all;
     for (const LogLine& line : lines) all += line.text + '\n';
     ImGui::SetClipboardText(all.c_str());
   }
+  hover_text("Copies the lines that are shown");
   ImGui::SameLine();
   search_field("search", search_, "Search the log");
   gap(2);

@@ -59,14 +59,14 @@ void MaterialPanel::draw_cluster(PanelContext& context) {
   std::vector<std::string> texts;
   std::vector<const char*> names;
   for (size_t i = 0; i < share.size(); ++i) {
-    texts.push_back(fmt::format("{} — {:.3g} % of the texels", cluster_title(material, static_cast<int>(i)),
+    texts.push_back(fmt::format("{} · {:.3g} %", cluster_title(material, static_cast<int>(i)),
                                 static_cast<double>(share[i]) * 100));
   }
   for (const std::string& text : texts) names.push_back(text.c_str());
   int cluster = context.selection.cluster;
   if (combo_row("Cluster", cluster, names, -1,
-                "Texels that look alike and are edited together. A click in the picture "
-                "chooses one.")) {
+                "Texels that look alike and are edited together, with their share of the texture. "
+                "A click in the picture chooses one.")) {
     context.selection.cluster = cluster;
     context.selection.basis = -1;
   }
@@ -140,10 +140,10 @@ void MaterialPanel::draw_residual(PanelContext& context) {
              [&](float value) { return set_residual_strength(*project, index, value); });
   constexpr std::array<const char*, 3> kPolicies{"Follows the edit", "Stays as fitted", "Fades with the edit"};
   int policy = static_cast<int>(material.edits.residual_policy);
-  const EditOf<int> chosen =
-      combo_row("After edits", policy, kPolicies, static_cast<int>(ResidualPolicy::follow),
-                "What the residual does when functions are edited: it is scaled with their brightness, stays as fitted, "
-                "or loses the share of functions whose shape was edited.");
+  const EditOf<int> chosen = combo_row(
+      "After edits", policy, kPolicies, static_cast<int>(ResidualPolicy::follow),
+      "What the residual does when functions are edited: it is scaled with their brightness, stays as fitted, "
+      "or loses the share of functions whose shape was edited.");
   apply_edit(document, chosen,
              [&] { return set_residual_policy(*project, index, static_cast<ResidualPolicy>(policy)); });
   gap(2);

@@ -21,6 +21,7 @@ namespace vamp::ui {
 
 namespace {
 
+constexpr float kRowsHeight = 250;  // of the selected part's rows, at 96 dpi
 constexpr size_t kSearchFrom = 12;  // fewer parts are seen at a glance
 
 const PartState& part_of(const Project& project, int part) { return project.parts[static_cast<size_t>(part)]; }
@@ -46,7 +47,12 @@ void PartsPanel::draw(PanelContext& context) {
   } else {
     search_.clear();
   }
-  draw_table(context);
+  // The list scrolls on its own, so that the selected part's rows stay in sight.
+  const float room = ImGui::GetContentRegionAvail().y, line = px(22);
+  const float list = static_cast<float>(project->parts.size()) * line + px(6);
+  const float height = std::min(list, std::max(room - px(kRowsHeight), room * 0.5f));
+  if (ImGui::BeginChild("list", ImVec2(0, std::max(height, 3 * line)))) draw_table(context);
+  ImGui::EndChild();
   if (context.selection.part >= 0) draw_part(context, context.selection.part);
 }
 

@@ -1,5 +1,7 @@
 #include "editor/panels/view_commands.h"
 
+#include "editor/panels/subject.h"
+
 namespace vamp::ui {
 
 const std::array<StandardViewRow, 6> kStandardViews{{
@@ -42,7 +44,7 @@ float view_aspect(const PanelContext& context) {
 
 void fit_view(PanelContext& context) {
   const Project& project = *context.document.project();
-  context.document.set_camera(fit(project.camera, project.scene->bounds, view_aspect(context)));
+  context.document.set_camera(fit(project.camera, subject_bounds(project), view_aspect(context)));
 }
 
 void fit_part(PanelContext& context, int part) {
@@ -55,10 +57,10 @@ void fit_part(PanelContext& context, int part) {
 void standard_view(PanelContext& context, StandardView view) {
   const Project& project = *context.document.project();
   Camera camera = project.camera;
-  camera.target = project.scene->bounds.center();
+  camera.target = subject_bounds(project).center();
   camera.eye = camera.target + side_of(view);
   camera.up = vec3(0, 1, 0);
-  context.document.set_camera(fit(camera, project.scene->bounds, view_aspect(context)));
+  context.document.set_camera(fit(camera, subject_bounds(project), view_aspect(context)));
 }
 
 }  // namespace vamp::ui

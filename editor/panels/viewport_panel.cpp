@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "editor/panels/presets_panel.h"
+#include "editor/panels/subject.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/edit.h"
 #include "editor/widgets/theme.h"
@@ -120,7 +121,7 @@ void ViewportPanel::zoom(PanelContext& context, ImVec2 low, ImVec2 size) const {
   const ImGuiIO& io = ImGui::GetIO();
   const Project& project = *context.document.project();
   const Camera before = project.camera;
-  const float radius = std::max(project.scene->bounds.radius(), 1e-6f);
+  const float radius = std::max(subject_bounds(project).radius(), 1e-6f);
   const float notches = std::clamp(io.MouseWheel, -8.0f, 8.0f);
   Camera camera = dolly(before, std::pow(kZoomStep, notches), radius);
   const float old_distance = glm::length(before.target - before.eye);

@@ -80,7 +80,7 @@ EditOf<T> at_once(const T& old, const T& value, bool reset) {
 }  // namespace
 
 EditOf<int> combo_row(const char* label, int& choice, std::span<const char* const> names, int initial,
-                      const char* description, const RowState& state) {
+                      const char* description, const RowState& state, std::span<const char* const> details) {
   const int old = choice;
   const int count = static_cast<int>(names.size());
   const RowColumns row = next_row();
@@ -95,6 +95,7 @@ EditOf<int> combo_row(const char* label, int& choice, std::span<const char* cons
     for (int i = 0; i < count; ++i) {
       if (ImGui::Selectable(names[static_cast<size_t>(i)], i == choice && !state.mixed)) choice = i;
       if (i == choice) ImGui::SetItemDefaultFocus();
+      if (static_cast<size_t>(i) < details.size()) hover_text(details[static_cast<size_t>(i)]);
     }
     ImGui::EndCombo();
   }

@@ -14,9 +14,10 @@ bool section(const char* title, bool* open = nullptr);
 // Some air between a header and rows.
 void gap(float pixels);
 
-// label | list | reset. `initial` below 0: no default, no reset. `descriptions` may be empty.
+// label | list | reset. `initial` below 0: no default, no reset. `details` are tooltips of the list's items; it may be
+// empty.
 EditOf<int> combo_row(const char* label, int& choice, std::span<const char* const> names, int initial,
-                      const char* description, const RowState& state = {});
+                      const char* description, const RowState& state = {}, std::span<const char* const> details = {});
 
 // label | check box | reset.
 EditOf<bool> toggle_row(const char* label, bool& on, bool initial, const char* description, const RowState& state = {});

@@ -1,6 +1,7 @@
 // The picture under the mouse: what selects, what moves the camera, what does neither.
 #include <glm/geometric.hpp>
 
+#include "editor/panels/subject.h"
 #include "tests/panels/panel_test.h"
 
 namespace vamp::ui {
@@ -165,8 +166,23 @@ TEST_F(Viewport, KeysTurnAndFit) {
   EXPECT_EQ(camera().target, before.target);
   document_.set_camera(dolly(camera(), 30, 1));
   tap('F');
-  const Camera fitted = fit(camera(), document_.project()->scene->bounds, 0.8f);
+  const Camera fitted = fit(camera(), subject_bounds(*document_.project()), 0.8f);
   EXPECT_LT(glm::length(camera().eye - fitted.eye), 1e-4f);
+}
+
+TEST(Subject, FloorsAndHiddenPartsAreLeftOut) {
+  SceneBuilder builder;
+  builder.add_box("Shoe", vec3(-0.1f, 0, -0.1f), vec3(0.1f, 0.1f, 0.1f));
+  builder.add_box("Lace tip", vec3(0.1f, 0, 0.1f), vec3(0.101f, 0.001f, 0.101f));
+  builder.add_quad("Floor", vec3(-4, 0, 4), vec3(8, 0, 0), vec3(0, 0, -8));
+  Project project = dark_project(builder.build());
+  EXPECT_LT(subject_bounds(project).radius(), 0.2f);
+  EXPECT_EQ(subject_bounds(project).lo.x, -0.1f);
+  project.parts[static_cast<size_t>(find_part(project, "Shoe"))].visible = false;
+  project.parts[static_cast<size_t>(find_part(project, "Lace tip"))].visible = false;
+  EXPECT_GT(subject_bounds(project).radius(), 4);
+  for (PartState& part : project.parts) part.visible = false;
+  EXPECT_EQ(subject_bounds(project), project.scene->bounds);
 }
 
 TEST_F(Viewport, ADoubleClickOnNothingFits) {
