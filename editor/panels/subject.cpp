@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kBackdrop = 3;
 constexpr float kFlat = 0.02f;  // least over largest extent
+constexpr size_t kMany = 4;
 
 bool is_flat(const Bounds& bounds) {
   const vec3 size = bounds.size();
@@ -26,13 +27,22 @@ void for_each_visible(const Project& project, Visit visit) {
 }  // namespace
 
 Bounds subject_bounds(const Project& project) {
+  // A floor that bends up into a backdrop is not flat; but it is the one part far larger than the many others.
+  Bounds largest;
+  size_t count = 0;
+  for_each_visible(project, [&](const Bounds& part) {
+    if (largest.empty() || part.radius() > largest.radius()) largest = part;
+    ++count;
+  });
+  const auto may_be_backdrop = [&](const Bounds& part) { return is_flat(part) || (part == largest && count >= kMany); };
   Bounds solid;
   for_each_visible(project, [&](const Bounds& part) {
-    if (!is_flat(part)) solid.extend(part);
+    if (!may_be_backdrop(part)) solid.extend(part);
   });
   Bounds subject;
   for_each_visible(project, [&](const Bounds& part) {
-    if (solid.empty() || !is_flat(part) || part.radius() <= kBackdrop * solid.radius()) subject.extend(part);
+    const bool backdrop = !solid.empty() && may_be_backdrop(part) && part.radius() > kBackdrop * solid.radius();
+    if (!backdrop) subject.extend(part);
   });
   return subject.empty() ? project.scene->bounds : subject;
 }
