@@ -9,6 +9,10 @@ namespace vamp {
 namespace {
 
 Status open_editor(EditorOptions options, const CommonOptions& common) {
+  // Said before a window opens for it.
+  std::error_code code;
+  if (!options.file.empty() && !std::filesystem::exists(options.file, code))
+    return fail(ErrorKind::bad_input, options.file.string(), "", "a file", "nothing there");
   options.device = common.device;
   options.validate = common.validate;
   catch_interrupts();

@@ -106,7 +106,7 @@ void DocumentFiles::load(const fs::path& path) {
         if (project) {
           loading_ = nullptr;
           const bool is_project = lower_extension(path) == ".vampproj";
-          take(std::move(*project), is_project ? fs::absolute(path) : fs::path());
+          take(std::move(*project), is_project ? fs::absolute(path) : fs::path(), !is_project);
           if (path.empty()) return;
           if (const Status status = recent_.add(fs::absolute(path)); !status)
             spdlog::warn("{}", status.error().message());
@@ -115,11 +115,12 @@ void DocumentFiles::load(const fs::path& path) {
         if (project.error().kind == ErrorKind::interrupted) return;
         loading_ = nullptr;
         problem_ = project.error().message();
+        spdlog::error("{}", problem_);
         ui::notify(ui::Notice::error, problem_);
       });
 }
 
-void DocumentFiles::take(Project project, const fs::path& document) {
+void DocumentFiles::take(Project project, const fs::path& document, bool fresh) {
   // Nothing is autosaved of the document that goes: it was saved or given up.
   ready_ = false;
   document_.reset(std::move(project), document);
@@ -127,7 +128,7 @@ void DocumentFiles::take(Project project, const fs::path& document) {
   problem_.clear();
   edited_at_ = saved_at_ = std::nullopt;
   autosave_.update(document_);
-  if (replaced) replaced();
+  if (replaced) replaced(fresh);
 }
 
 void DocumentFiles::save(std::function<void()> then) {
@@ -231,7 +232,7 @@ void DocumentFiles::recover_leftover(const Leftover& leftover) {
           problem_ = project.error().message();
           return ui::notify(ui::Notice::error, problem_);
         }
-        take(std::move(*project), leftover.document);
+        take(std::move(*project), leftover.document, false);
         document_.mark_unsaved();
         edited_at_ = Clock::now();
         autosave_.update(document_);
@@ -242,6 +243,7 @@ void DocumentFiles::recover_leftover(const Leftover& leftover) {
         } else {
           ui::notify(ui::Notice::warning, kept.error().message());
         }
+        spdlog::info("recovered {}", leftover.file.string());
         ui::notify(ui::Notice::done, "Recovered; save it to keep it");
       });
 }

@@ -40,8 +40,8 @@ class DocumentFiles {
   bool loading() const { return loading_ != nullptr; }
   // Why there is no document; empty while it is loaded or there is one.
   const std::string& problem() const { return problem_; }
-  // Is called when another document took the place of the old one.
-  std::function<void()> replaced;
+  // Is called when another document took the place of the old one; `fresh`: it is a model as it is, nobody's project.
+  std::function<void(bool fresh)> replaced;
 
   // The name for the title, with a star where it is unsaved.
   std::string title() const;
@@ -56,7 +56,7 @@ class DocumentFiles {
  private:
   using Clock = std::chrono::steady_clock;
   void load(const std::filesystem::path& path);
-  void take(Project project, const std::filesystem::path& document);
+  void take(Project project, const std::filesystem::path& document, bool fresh);
   void write(const std::filesystem::path& path, std::function<void()> then);
   void collect_then_write(const std::filesystem::path& path, std::function<void()> then);
   void recover_leftover(const Leftover& leftover);

@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
       documents_(1, [&window] { window.wake(); }),
       exports_(1, [&window] { window.wake(); }),
       document_(empty_project()),
-      dock_(PanelSet::default_layout),
+      dock_(ui::default_layout),
       files_(document_, dialog_, question_, documents_),
       thumbnails_(textures, [&window] { window.wake(); }),
       snapshot_(device, dialog_, exports_),
@@ -44,13 +45,13 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
     selection_ = valid_selection(*now, selection_);
     if (session_) session_->set_project(now, reason);
   });
-  files_.replaced = [this] { take_document(); };
+  files_.replaced = [this](bool fresh) { take_document(fresh); };
   preset_dialog_.saved = [this] { window_.wake(); };
   snapshot_.busy = [this](bool running) {
     if (session_) session_->pause(running || paused_);
   };
   connect_context();
-  panels_.add_to(dock_, context_);
+  ui::add_panels(dock_, panels_, context_);
   add_actions();
   if (!settings_.layout.empty())
     if (const Status status = dock_.restore(settings_.layout, "settings"); !status)
@@ -82,7 +83,13 @@ void Editor::connect_context() {
 }
 
 // Another document is open: nothing of the old one is selected, its picture goes.
-void Editor::take_document() {
+void Editor::take_document(bool fresh) {
+  tell_time("document loaded");
+  // A model's own camera was set up for a landscape picture: in a narrower one it steps back until the same width fits.
+  constexpr float kLandscape = 4.0f / 3;
+  const float aspect = static_cast<float>(viewport_width_) / static_cast<float>(std::max(viewport_height_, 1));
+  if (fresh && viewport_width_ > 0 && aspect < kLandscape)
+    document_.set_camera(dolly(project().camera, kLandscape / aspect, project().scene->bounds.radius()));
   selection_ = {};
   context_.hover = {};
   picture_.clear();
@@ -96,17 +103,23 @@ void Editor::start_renderer() {
   context_.session = session_.get();
 }
 
+void Editor::tell_time(const char* what) const {
+  spdlog::debug("{} after {:.2f} s", what, std::chrono::duration<double>(Clock::now() - options_.started).count());
+}
+
 void Editor::update_renderer() {
   start_renderer();
   if (!session_) return;
   context_.status = session_->status();
-  const Outlined selected{selection_.part, selection_.cluster};
+  // While a value is being dragged nothing may lie over the colour that changes.
+  const Outlined selected{selection_.part, ui::edit_is_open() ? -1 : selection_.cluster};
+  if (picture_.version() == 0 && session_->picture_version() > 0) tell_time("first tile");
   picture_.update(*session_, context_.show_outlines ? selected : Outlined{},
                   context_.show_outlines ? Outlined{context_.hover.part, -1} : Outlined{});
   context_.viewport = picture_.textures();
   if (!told_first_picture_ && context_.status.samples > 0) {
     told_first_picture_ = true;
-    spdlog::info("first picture after {:.2f} s", std::chrono::duration<double>(Clock::now() - started_).count());
+    tell_time("first whole sample");
   }
   if (context_.status.error != told_error_) {
     told_error_ = context_.status.error;
@@ -149,6 +162,7 @@ void Editor::frame() {
     save_settings_now();
   }
   measure_frames();
+  if (ImGui::GetFrameCount() <= 2) tell_time("frame of the window");
 }
 
 double Editor::wake_after() const {

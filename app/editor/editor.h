@@ -8,14 +8,13 @@
 
 #include "app/editor/document_files.h"
 #include "app/editor/options.h"
-#include "app/editor/panel_set.h"
 #include "app/editor/preset_dialog.h"
 #include "app/editor/snapshot_dialog.h"
 #include "app/editor/thumbnails.h"
 #include "app/editor/viewport_picture.h"
 #include "app/window/window.h"
 #include "editor/model/settings.h"
-#include "editor/panels/context.h"
+#include "editor/panels/panels.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/dock.h"
 #include "editor/widgets/shell.h"
@@ -73,10 +72,11 @@ class Editor {
   void draw_about();
 
   void connect_context();
-  void take_document();
+  void take_document(bool fresh);
   void start_renderer();
   void update_renderer();
   void measure_frames();
+  void tell_time(const char* what) const;  // since the start, in the log
   const Project& project() const { return *document_.project(); }
 
   using Clock = std::chrono::steady_clock;
@@ -101,14 +101,13 @@ class Editor {
   PresetDialog preset_dialog_;
   ViewportPicture picture_;
   ui::PanelContext context_;
-  PanelSet panels_;
+  ui::Panels panels_;
   std::unique_ptr<RenderSession> session_;
 
   int viewport_width_ = 0, viewport_height_ = 0;
   bool paused_ = false;
   bool about_ = false;
   std::string title_, told_error_;
-  Clock::time_point started_ = Clock::now();
   bool told_first_picture_ = false;
 
   // --frames

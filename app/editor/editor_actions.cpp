@@ -95,6 +95,12 @@ void Editor::add_file_actions() {
                 .run = [this] { preset_dialog_.open(project(), selection_.material); },
                 .enabled = [this] { return selection_.material >= 0; },
                 .group = 2});
+  actions_.add({.id = "file.snapshot",
+                .label = "Export snapshot…",
+                .menu = "File",
+                .run = [this] { actions_.run("render.snapshot"); },
+                .enabled = [this] { return files_.ready() && !snapshot_.running(); },
+                .group = 3});
   actions_.add({.id = "file.quit",
                 .label = "Quit",
                 .menu = "File",
@@ -381,12 +387,6 @@ void Editor::add_render_actions() {
                 .enabled = [this] { return snapshot_.can_repeat() && files_.ready(); },
                 .tooltip = "With the same choices, over the same file",
                 .group = 1});
-  actions_.add({.id = "file.snapshot",
-                .label = "Export snapshot…",
-                .menu = "File",
-                .run = [this] { actions_.run("render.snapshot"); },
-                .enabled = [this] { return files_.ready() && !snapshot_.running(); },
-                .group = 3});
 }
 
 }  // namespace vamp

@@ -1,5 +1,6 @@
 #pragma once
 // What the editor is started with.
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -17,6 +18,7 @@ struct EditorOptions {
   int width = 0, height = 0;  // of the window; 0: as it was left
   int frames = 0;             // over 0: draws this many frames once the picture is there, prints their times, ends
   std::filesystem::path record_exit;  // not empty: the linear picture with its job goes there at the end (.exr)
+  std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
   std::function<bool()> interrupted;  // whether the program was asked to end from outside; may be empty
 };
 

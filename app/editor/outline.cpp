@@ -13,7 +13,7 @@ struct Colour {
 };
 constexpr Colour kAmber{245, 176, 52, 255};
 constexpr Colour kRim{20, 20, 20, 150};
-constexpr Colour kTint{245, 176, 52, 70};
+constexpr Colour kTint{245, 176, 52, 44};
 constexpr Colour kWhite{255, 255, 255, 150};
 
 // 1 where the pixel shows what is asked for.

@@ -39,7 +39,7 @@ void PresetDialog::open(const Project& project, int material) {
   preset_ = {};
   preset_.fit = instance.fit;
   preset_.edits = instance.edits;
-  // Where it came from goes along.
+  origin_ = instance.preset;
   for (const LibraryEntry& entry : library_.entries()) {
     if (instance.preset.empty() || entry.reference != instance.preset) continue;
     preset_.tags = entry.info.tags;
@@ -80,8 +80,16 @@ void PresetDialog::start() {
   preset_.tags = split_tags(tags_);
   jobs_.start(
       "Saving preset " + preset_.name,
-      [this, preset = preset_](Progress& progress) mutable -> Result<Preset> {
-        auto picture = render_material_ball(device_, preset, progress);
+      [&device = device_, preset = preset_, origin = origin_](Progress& progress) mutable -> Result<Preset> {
+        // Where it came from, its licence and what this version does not know go along.
+        if (const auto path = path_of_reference(origin, "", ""); path && !path->empty()) {
+          if (auto from = load_preset(*path)) {
+            preset.provenance = std::move(from->provenance);
+            preset.licence = std::move(from->licence);
+            preset.unknown_json = std::move(from->unknown_json);
+          }
+        }
+        auto picture = render_material_ball(device, preset, progress);
         if (picture) {
           preset.thumbnail_png = std::move(*picture);
         } else {

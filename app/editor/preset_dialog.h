@@ -30,6 +30,7 @@ class PresetDialog {
   PresetLibrary& library_;
   JobQueue& jobs_;
   Preset preset_;
+  std::string origin_;  // reference of the preset that it began as; may be empty
   std::string name_, tags_;
   bool open_ = false;
 };

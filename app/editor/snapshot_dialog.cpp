@@ -99,14 +99,14 @@ void SnapshotDialog::draw_size() {
   const ui::Parameter side{.label = "Width",
                            .low = 16,
                            .high = kMaxSide,
-                           .initial = 1280,
+                           .initial = static_cast<float>(viewport_width_),
                            .format = "%.0f px",
                            .description = "Pixels. Typing a size makes it a custom one.",
                            .mapping = &ui::kLog,
                            .whole = true};
   ui::Parameter height = side;
   height.label = "Height";
-  height.initial = 960;
+  height.initial = static_cast<float>(viewport_height_);
   if (ui::parameter_row(side, width_)) preset_ = kCustom;
   if (ui::parameter_row(height, height_)) preset_ = kCustom;
 }
@@ -216,7 +216,7 @@ void SnapshotDialog::start() {
   if (busy) busy(true);
   job_ = jobs_.start(
       "Snapshot " + path_.filename().string(),
-      [this, order](Progress& progress) { return make_snapshot(device_, order, progress); },
+      [&device = device_, order](Progress& progress) { return make_snapshot(device, order, progress); },
       [this, order](const Status& status) {
         job_ = nullptr;
         if (busy) busy(false);

@@ -18,7 +18,10 @@ constexpr float kStatusBar = 24;
 
 void draw_menu_bar(Actions& actions, const std::string& title) {
   if (!ImGui::BeginMenuBar()) return;
+  // The menus are windows of their own; the shell around them has no padding.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(8), px(6)));
   actions.draw_menus();
+  ImGui::PopStyleVar();
   const float width = ImGui::CalcTextSize(title.c_str()).x + px(10);
   if (width < ImGui::GetContentRegionAvail().x) {
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width);
