@@ -117,6 +117,8 @@ TEST_F(Usage, MissingAndDamagedFilesAreBadInput) {
   expect({"render", "-o", "x.png", "--from", "none.png"}, 3, "none.png");
   expect({"compare", "a.png", "b.png"}, 3, "a.png");
   expect({"info", "none.glb"}, 3, "none.glb");
+  expect({"edit", "none.glb"}, 3, "none.glb");
+  expect({"none.glb"}, 3, "none.glb");
   expect({"info", "box.txt"}, 3, "box.txt");
   const std::string whole = bytes_of("box.glb");
   ASSERT_TRUE(write_text_atomically(folder / "cut.glb", whole.substr(0, whole.size() / 2)));
