@@ -5,7 +5,9 @@ target_compile_features(vamp_flags INTERFACE cxx_std_20)
 target_include_directories(vamp_flags INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(vamp_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
-  -Wnull-dereference -Wno-missing-field-initializers -Werror
+  -Wno-missing-field-initializers -Werror
+  # At -O3 GCC 12 takes the memory of a growing std::vector for null; the other presets keep the warning.
+  $<$<NOT:$<CONFIG:Release>>:-Wnull-dereference>
   # GCC 12 warns about overlaps inside its own std::string at -O3 (GCC bug 105329).
   -Wno-restrict
   # Same picture means same bits: no contraction into fma and no reassociation, on every machine.
