@@ -1,0 +1,225 @@
+// The editor as its users meet it: a real window, real keys, real files.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/image/load.h"
+#include "engine/image/metadata.h"
+#include "engine/project/job.h"
+#include "engine/project/project_file.h"
+#include "tests/editor/editor_run.h"
+#include "tests/project/small_project.h"
+
+namespace vamp::editor_test {
+namespace {
+
+const Display& display() {
+  static const Display the_display;
+  return the_display;
+}
+
+// A filled slider on the screen.
+struct Slider {
+  int x0 = 0, x1 = 0, y = 0;
+};
+
+// The sliders of the panel at the right, from the top: runs in the theme's fill colour, at least 8 pixels high.
+std::vector<Slider> sliders(const Image& screen) {
+  const auto is_fill = [&](int x, int y) {
+    constexpr float kFill[3] = {71, 112, 154};
+    for (size_t c = 0; c < 3; ++c)
+      if (std::abs(255 * screen.at(x, y, c) - kFill[c]) > 2) return false;
+    return true;
+  };
+  std::vector<Slider> found;
+  const int left = screen.width - 428 + 100;
+  for (int y = 60; y + 8 < screen.height; ++y) {
+    int x0 = left;
+    while (x0 < screen.width && !is_fill(x0, y)) ++x0;
+    int x1 = x0;
+    while (x1 < screen.width && is_fill(x1, y)) ++x1;
+    if (x1 - x0 < 12 || !is_fill(x0 + 2, y + 8)) continue;
+    found.push_back({x0, x1, y + 4});
+    y += 14;
+  }
+  return found;
+}
+
+class Window : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (display().name().empty()) GTEST_SKIP() << "needs Xvfb, xdotool and ImageMagick's import";
+    test::write_model(home() / "boxes.glb");
+    auto project = open_scene(home() / "boxes.glb");
+    ASSERT_TRUE(project) << project.error().message();
+    const Preset preset = test::small_preset("Small");
+    ASSERT_TRUE(save_preset(preset, home() / "small.vamp"));
+    assign_preset(*project, 0, preset, (home() / "small.vamp").string());
+    project->settings.max_samples = 8;
+    ASSERT_TRUE(save_project(*project, document()));
+  }
+
+  const fs::path& home() const { return home_.path(); }
+  fs::path document() const { return home() / "boxes.vampproj"; }
+
+  // A material is selected and its first slider pulled to the right.
+  void edit_the_material(EditorRun& editor) {
+    editor.click(554, 420);  // the middle of the picture
+    std::vector<Slider> rows;
+    ASSERT_TRUE(wait_until([&] { return !(rows = sliders(editor.screen())).empty(); })) << editor.log();
+    const Slider row = rows.front();
+    editor.drag(row.x1 - 3, row.y, row.x1 + 30, row.y);
+    editor.move(554, 420);
+  }
+
+  size_t edited_rows(const fs::path& project_file) const {
+    const auto project = load_project(project_file);
+    if (!project) return 0;
+    size_t rows = 0;
+    for (const MaterialInstance& material : project->materials) rows += material.edits.bases.size();
+    return rows;
+  }
+
+  std::string vamp(const std::string& arguments, int* code) const {
+    return output_of(fmt::format("cd {} && {} {} 2>&1", home().string(), VAMP_PROGRAM, arguments), code);
+  }
+
+  std::vector<fs::path> files(const fs::path& folder, const std::string& extension) const {
+    std::vector<fs::path> found;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(folder, code))
+      if (entry.path().extension() == extension) found.push_back(entry.path());
+    return found;
+  }
+
+ private:
+  test::TemporaryHome home_;
+};
+
+TEST_F(Window, ShowsAfterAnEditWhatAFreshRenderShows) {
+  EditorRun editor(display(), home(), {"--record-exit", (home() / "shown.exr").string(), document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  edit_the_material(editor);
+  editor.key("ctrl+s");
+  EXPECT_TRUE(wait_until([&] { return edited_rows(document()) > 0; })) << "the edit is not in the saved project";
+  editor.key("ctrl+q");
+  ASSERT_EQ(editor.wait_for_end(), 0) << editor.log();
+
+  const auto shown = load_image(home() / "shown.exr");
+  ASSERT_TRUE(shown) << shown.error().message();
+  int code = 0;
+  const std::string said = vamp("render --from shown.exr -o fresh.exr", &code);
+  ASSERT_EQ(code, 0) << said;
+  const auto fresh = load_image(home() / "fresh.exr");
+  ASSERT_TRUE(fresh) << fresh.error().message();
+  EXPECT_EQ(shown->width, fresh->width);
+  EXPECT_EQ(shown->channels, fresh->channels);
+  EXPECT_EQ(shown->pixels, fresh->pixels);
+}
+
+TEST_F(Window, UndoBringsBackWhatWasThere) {
+  const std::string before = read_text(document(), 1 << 24).value_or("");
+  EditorRun editor(display(), home(), {document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  edit_the_material(editor);
+  editor.key("ctrl+s");
+  EXPECT_TRUE(wait_until([&] { return edited_rows(document()) > 0; }));
+  editor.key("ctrl+z");
+  editor.key("ctrl+s");
+  EXPECT_TRUE(wait_until([&] { return edited_rows(document()) == 0; }));
+  EXPECT_EQ(read_text(document(), 1 << 24).value_or("none"), before);
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
+TEST_F(Window, OffersAfterACrashWhatWasNotSaved) {
+  const fs::path kept = home() / "state" / "vamp" / "autosave";
+  {
+    EditorRun editor(display(), home(), {document().string()});
+    ASSERT_TRUE(editor.shows_picture()) << editor.log();
+    edit_the_material(editor);
+    const auto edited = std::chrono::steady_clock::now();
+    ASSERT_TRUE(wait_until([&] { return !files(kept, ".json").empty(); }, 30)) << "no autosave";
+    RecordProperty("seconds_to_autosave",
+                   std::to_string(std::chrono::duration<double>(std::chrono::steady_clock::now() - edited).count()));
+    editor.kill_hard();
+  }
+  EXPECT_EQ(edited_rows(document()), 0u);
+  EditorRun editor(display(), home(), {document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  editor.move(554, 420);
+  editor.key("Return");  // Recover
+  ASSERT_TRUE(wait_until([&] { return editor.log().find("recovered") != std::string::npos; })) << editor.log();
+  editor.key("ctrl+s");
+  EXPECT_TRUE(wait_until([&] { return edited_rows(document()) > 0; })) << editor.log();
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+  EXPECT_TRUE(files(kept, ".json").empty());
+}
+
+TEST_F(Window, KeepsAMaterialAsAPreset) {
+  EditorRun editor(display(), home(), {document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  edit_the_material(editor);
+  editor.key("ctrl+shift+m");
+  editor.key("ctrl+a");
+  editor.type("Mine");
+  editor.key("Return");
+  const fs::path library = home() / "data" / "vamp" / "presets";
+  ASSERT_TRUE(wait_until([&] { return !files(library, ".vamp").empty(); })) << editor.log();
+  const auto preset = load_preset(files(library, ".vamp").front());
+  ASSERT_TRUE(preset) << preset.error().message();
+  EXPECT_EQ(preset->name, "Mine");
+  EXPECT_FALSE(preset->edits.bases.empty());
+  const auto picture = decode_image(preset->thumbnail_png, "thumbnail");
+  ASSERT_TRUE(picture) << picture.error().message();
+  EXPECT_EQ(picture->width, picture->height);
+  // The unsaved edit is given up on purpose: the right arrow leads from "Save" to "Discard".
+  editor.key("ctrl+q");
+  editor.key("Right");
+  editor.key("space");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
+TEST_F(Window, ExportsASnapshotThatCanBeRenderedAgain) {
+  EditorRun editor(display(), home(), {document().string()}, 820, 480);  // a small picture
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  editor.move(320, 240);
+  editor.key("F12");
+  editor.key("Return");
+  const fs::path snapshot = home() / "boxes.png";
+  ASSERT_TRUE(wait_until([&] { return fs::exists(snapshot); })) << editor.log();
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+  int code = 0;
+  const std::string said = vamp("render --from boxes.png -o again.png", &code);
+  ASSERT_EQ(code, 0) << said;
+  const auto first = load_image(snapshot), again = load_image(home() / "again.png");
+  ASSERT_TRUE(first && again);
+  EXPECT_EQ(first->pixels, again->pixels);
+}
+
+TEST_F(Window, StaysUsableWhenAFileIsDamaged) {
+  ASSERT_TRUE(write_text_atomically(home() / "broken.glb", "glTF, but not really"));
+  EditorRun editor(display(), home(), {(home() / "broken.glb").string()});
+  ASSERT_TRUE(wait_until([&] { return editor.log().find("broken.glb") != std::string::npos; })) << editor.log();
+  editor.move(554, 420);
+  EXPECT_TRUE(editor.running());
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
+TEST(WithoutADisplay, TheEditorSaysSoInOneLine) {
+  const test::TemporaryHome home;
+  int code = 0;
+  const std::string said = output_of("env -u DISPLAY -u WAYLAND_DISPLAY " VAMP_PROGRAM " edit 2>&1", &code);
+  EXPECT_EQ(code, 1);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  EXPECT_NE(said.find("display"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace vamp::editor_test
