@@ -56,7 +56,7 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
   if (!settings_.layout.empty())
     if (const Status status = dock_.restore(settings_.layout, "settings"); !status)
       spdlog::warn("{}", status.error().message());
-  dialog_.set_recent({settings_.last_folder});
+  if (!settings_.last_folder.empty()) dialog_.set_recent({settings_.last_folder});
   presets_.rescan();
   files_.start(options_.file, settings_.reopen_last && !options_.safe_mode);
   files_.offer_recovery();

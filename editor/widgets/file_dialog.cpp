@@ -186,15 +186,18 @@ void FileDialog::draw_places() {
   ImGui::BeginChild("places", ImVec2(px(150), px(330)), true);
   fs::path target;
   const auto place = [&](const char* label, const fs::path& path) {
+    if (path.empty()) return;
+    // The root and "folder/" have no file name.
+    const std::string name = *label != 0 ? label : path.filename().empty() ? path.string() : path.filename().string();
     ImGui::PushID(path.c_str());
-    if (ImGui::Selectable(label, path == folder_)) target = path;
+    if (ImGui::Selectable(name.c_str(), path == folder_)) target = path;
     ImGui::PopID();
   };
   place("Home", home());
-  for (const fs::path& path : request_.places) place(path.filename().string().c_str(), path);
+  for (const fs::path& path : request_.places) place("", path);
   if (!recent_.empty()) {
     ImGui::TextDisabled("Recent");
-    for (const fs::path& path : recent_) place(path.filename().string().c_str(), path);
+    for (const fs::path& path : recent_) place("", path);
   }
   ImGui::EndChild();
   if (!target.empty()) go(target);

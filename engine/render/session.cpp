@@ -210,13 +210,14 @@ class RenderSession::Impl {
 
   void take_size(ivec2 size) {
     if (size == ivec2(renderer_.region().width, renderer_.region().height)) return;
+    const bool first = renderer_.region().width == 0;
     renderer_.set_region(size.x, size.y, {0, 0, size.x, size.y});
     {
       const std::lock_guard lock(picture_mutex_);
       picture_.assign(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0xff202020u);
       picture_size_ = size;
     }
-    restart("window resized", true);
+    restart(first ? "opened" : "window resized", true);
   }
 
   void restart(const std::string& reason, bool places_changed) {

@@ -202,6 +202,21 @@ TEST_F(Window, ExportsASnapshotThatCanBeRenderedAgain) {
   EXPECT_EQ(first->pixels, again->pixels);
 }
 
+TEST_F(Window, OpensAnotherFileByItsTypedPath) {
+  EditorRun editor(display(), home(), {(home() / "boxes.glb").string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  editor.move(554, 420);
+  editor.key("ctrl+o");
+  editor.type(document().string());
+  editor.key("Return");
+  const fs::path recent = home() / "state" / "vamp" / "recent.json";
+  EXPECT_TRUE(wait_until([&] {
+    return read_text(recent, 1 << 20).value_or("").find("boxes.vampproj") != std::string::npos;
+  })) << editor.log();
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
 TEST_F(Window, StaysUsableWhenAFileIsDamaged) {
   ASSERT_TRUE(write_text_atomically(home() / "broken.glb", "glTF, but not really"));
   EditorRun editor(display(), home(), {(home() / "broken.glb").string()});
