@@ -1,5 +1,5 @@
 // What a sample of a picture costs, in units of what Embree's single-ray calls need for the same rays in the same run:
-//   bench_frame [--scene FILE] [--rounds N] [--size N] [--json]
+//   bench_frame [--scene FILE] [--without PART] [--rounds N] [--size N]
 // The picture has one primary, one shadow and one ambient ray a sample and pixel and SPMM shading. Embree traces all of
 // them from ready arrays in tile order on as many threads as there are processors; drawing the rays, surfaces, shading
 // and accumulation are on our side of the balance alone. Rounds of both alternate; medians and spread over rounds.
@@ -175,7 +175,22 @@ Stopwatch::Times trace_all(std::vector<T> rays, const F& trace) {
   return watch.stop();
 }
 
-int run(const std::string& scene_file, int rounds, int side) {
+// The scene without one of its parts, such as a backdrop that stretches the tree's grid.
+std::shared_ptr<const Scene> without_part(const Scene& scene, const std::string& name) {
+  auto rest = std::make_shared<Scene>(scene);
+  const int part = scene.find_part(name);
+  rest->triangles.clear();
+  rest->triangle_part.clear();
+  for (size_t i = 0; i < scene.triangles.size(); ++i)
+    if (static_cast<int>(scene.triangle_part[i]) != part) {
+      rest->triangles.push_back(scene.triangles[i]);
+      rest->triangle_part.push_back(scene.triangle_part[i]);
+    }
+  finish_scene(*rest);
+  return rest;
+}
+
+int run(const std::string& scene_file, const std::string& without, int rounds, int side) {
   Result<Project> opened = open_scene(scene_file);
   if (!opened) {
     fmt::print(stderr, "{}\n", opened.error().message());
@@ -183,6 +198,7 @@ int run(const std::string& scene_file, int rounds, int side) {
   }
   Project project = std::move(*opened);
   CHECK(!project.lights.empty());
+  if (!without.empty()) project.scene = without_part(*project.scene, without);
   project.lights.resize(1);
   if (project.ambient == vec3(0)) project.ambient = vec3(0.2f);
   if (project.settings.ao_radius == 0) project.settings.ao_radius = project.scene->bounds.radius() * 0.2f;
@@ -237,15 +253,18 @@ int run(const std::string& scene_file, int rounds, int side) {
 int main(int argc, char** argv) {
   vamp::start_log("warn");
   std::string scene = (vamp::shipped_dir("scenes") / "derby.vampproj").string();
+  std::string without;
   int rounds = 9, side = 512;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i];
     if (option == "--scene")
       scene = argv[i + 1];
+    else if (option == "--without")
+      without = argv[i + 1];
     else if (option == "--rounds")
       rounds = std::max(std::atoi(argv[i + 1]), 1);
     else if (option == "--size")
       side = std::max(std::atoi(argv[i + 1]), 64);
   }
-  return vamp::run(scene, rounds, side);
+  return vamp::run(scene, without, rounds, side);
 }

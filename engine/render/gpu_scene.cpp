@@ -37,7 +37,7 @@ Result<uint64_t> GpuScene::send_scene(gpu::Device& device, const SceneTables& fr
     VAMP_CHECK_STATUS(device.fits_storage_range("nodes", bvh.nodes.size() * sizeof(uvec4)));
     VAMP_CHECK_STATUS(device.fits_storage_range("triangles", bvh.triangles.size() * sizeof(vec4)));
   }
-  VAMP_TRY(uint64_t bytes, send(device, nodes, "nodes", VK_FORMAT_R32G32B32A32_UINT, bvh.nodes, true));
+  VAMP_TRY(uint64_t bytes, send(device, nodes, "nodes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.nodes, true));
   VAMP_TRY(const uint64_t b1, send(device, triangles, "triangles", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.triangles, true));
   VAMP_TRY(const uint64_t b2, send(device, surface, "surface", VK_FORMAT_R32G32B32A32_UINT, from.surface));
   VAMP_TRY(const uint64_t b3, send(device, alpha, "alpha masks", VK_FORMAT_R8_UINT, from.alpha));

@@ -60,11 +60,14 @@ Result<MaterialTables> build_material_tables(const Project& project) {
   for (size_t i = 0; i < project.materials.size(); ++i) {
     const MaterialInstance& material = project.materials[i];
     MaterialTables::Place place;
-    if (used[i]) {
+    if (!used[i]) {
+      all.sums.emplace_back();
+    } else {
       const Spmm& fit = *material.fit;
       place.texel = append(all.texels, fit.texels);
       place.entry = append(all.entries, fit.entries);
-      const EditedTables edited = edited_tables(fit, material.edits);
+      all.sums.push_back(fit_sums(fit));
+      const EditedTables edited = edited_tables(fit, material.edits, &all.sums.back());
       place.basis = append(all.bases, edited.bases);
       place.cluster = append(all.clusters, edited.clusters);
       if (!fit.residual.records.empty()) {
@@ -83,7 +86,7 @@ Result<MaterialTables> build_material_tables(const Project& project) {
 
 ChangedRows apply_edits(MaterialTables& all, const Project& project, size_t material) {
   const MaterialInstance& instance = project.materials[material];
-  const EditedTables edited = edited_tables(*instance.fit, instance.edits);
+  const EditedTables edited = edited_tables(*instance.fit, instance.edits, &all.sums[material]);
   const MaterialTables::Place& place = all.places[material];
   return {replace_rows(all.bases, place.basis, edited.bases),
           replace_rows(all.clusters, place.cluster, edited.clusters)};
@@ -162,7 +165,7 @@ uint32_t lobe_models_in_view(const Project& project) {
   uint32_t models = 0;
   const std::vector<bool> used = materials_in_view(project);
   for (size_t i = 0; i < used.size(); ++i)
-    if (used[i]) models |= models_in_use(*project.materials[i].fit, project.materials[i].edits);
+    if (used[i]) models |= lobe_models_in_use(*project.materials[i].fit, project.materials[i].edits);
   return models;
 }
 

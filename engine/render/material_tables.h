@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/material/reflectance.h"
 #include "engine/material/tables.h"
 #include "engine/project/project.h"
 #include "engine/render/scene_tables.h"
@@ -20,6 +21,7 @@ struct MaterialTables {
     float last_ring_cos = 1;
   };
   std::vector<Place> places;
+  std::vector<FitSums> sums;  // of each material in view, so that an edit need not sum again
   std::vector<tables::Texel> texels;
   std::vector<tables::Entry> entries;
   std::vector<tables::BasisRow> bases;
@@ -48,7 +50,7 @@ std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables&
 // Index of the texel nearest to texture coordinates of a part, as the kernels find it.
 size_t texel_at(const frame::PartRow& row, const vec2& uv);
 
-// The kernel's constants that follow from the materials in view: a bit per model, and SPEC_RESIDUAL.
+// The kernel's constants that follow from the materials in view: LOBE_* bits, and SPEC_RESIDUAL.
 uint32_t lobe_models_in_view(const Project& project);
 uint32_t residual_in_view(const Project& project);
 

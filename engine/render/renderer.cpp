@@ -160,7 +160,7 @@ Result<Change> Renderer::set_project(std::shared_ptr<const Project> next) {
     // The common edit: some rows of 48 or 16 bytes.
     for (size_t i = 0; i < now.materials.size(); ++i) {
       if (now.materials[i].edits == project_->materials[i].edits) continue;
-      if (material_tables_.places[i].map == 0 && material_tables_.bases.empty()) continue;
+      if (material_tables_.sums[i].texels.empty()) continue;  // no visible part shows it
       const ChangedRows rows = apply_edits(material_tables_, now, i);
       for (const auto& [first, count] : rows.bases)
         change.bytes += device_->upload_rows<tables::BasisRow>(gpu_.bases.rows, first,

@@ -1,18 +1,19 @@
 #include "engine/render/snapshot.h"
 
-#include "engine/image/display.h"
-#include "engine/image/save.h"
-
 #include <algorithm>
 #include <cctype>
 #include <string>
+
+#include "engine/image/display.h"
+#include "engine/image/save.h"
 
 namespace vamp {
 namespace {
 
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   return extension;
 }
 
@@ -31,7 +32,8 @@ Status check_snapshot(const std::filesystem::path& path, const StillOptions& opt
   return {};
 }
 
-Status save_snapshot(const Still& still, const Job& job, const std::filesystem::path& path, const SnapshotFormat& format) {
+Status save_snapshot(const Still& still, const Job& job, const std::filesystem::path& path,
+                     const SnapshotFormat& format) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   VAMP_TRY(const std::string text, job_to_text(job, folder));
   Metadata metadata = {{"Software", "Vamp"}, {std::string(kJobKey), text}};

@@ -23,7 +23,7 @@ layout(local_size_x = GROUP_SIZE) in;
 
 layout(scalar, binding = BINDING_PARAMS) readonly buffer ParamsBlock { FrameParams params; };
 layout(scalar, binding = BINDING_LIGHTS) readonly buffer LightsBlock { LightRow lights[]; };
-layout(binding = BINDING_NODES) uniform usamplerBuffer nodes_texels;
+layout(binding = BINDING_NODES) uniform samplerBuffer nodes_texels;  // bits of uvec4
 layout(binding = BINDING_TRIANGLES) uniform samplerBuffer triangle_texels;
 layout(scalar, binding = BINDING_NODES_STORAGE) readonly buffer NodesBlock { uvec4 nodes_storage[]; };
 layout(scalar, binding = BINDING_TRIANGLES_STORAGE) readonly buffer TrianglesBlock { vec4 triangles_storage[]; };

@@ -76,19 +76,24 @@ LightSample sample_light(uint which, vec3 p, vec2 u) {
   return s;
 }
 
-// Constant ambient radiance: directions half cosine-weighted, half uniform, because ReflectedCos / cos is unbounded for
-// tilted frames; the factor is 1 / the mixture's pdf.
-LightSample sample_ambient(vec3 normal, vec2 u, float choice) {
-  bool cosine = choice < 0.5;
-  float z = cosine ? sqrt(1.0 - u.x) : u.x;
-  float r = cosine ? sqrt(u.x) : sqrt(max(1.0 - u.x * u.x, 0.0));
+// Constant ambient radiance: two directions in five cosine-weighted, one uniform, because ReflectedCos / cos is unbounded
+// for tilted frames, and two in a lobe cos^32 about the mirror direction, because highlights stand there at grazing view
+// (without it: bright dots along silhouettes). The factor is 1 / the mixture's pdf, whichever of them drew.
+LightSample sample_ambient(vec3 normal, vec3 view, vec2 u, float choice) {
+  vec3 mirrored = 2.0 * dot(normal, view) * normal - view;
+  bool cosine = choice < 0.4;
+  bool lobe = choice >= 0.6;
+  float z = cosine ? sqrt(1.0 - u.x) : (lobe ? exp2(log2(1.0 - u.x) * (1.0 / 33.0)) : u.x);
   float phi = 2.0 * PI * u.y;
-  vec3 t, b;
-  basis_about(normal, t, b);
+  vec3 axis = lobe ? mirrored : normal, t, b;
+  basis_about(axis, t, b);
   LightSample s;
-  s.direction = normalize((t * cos(phi) + b * sin(phi)) * r + normal * z);
+  s.direction = normalize((t * cos(phi) + b * sin(phi)) * sqrt(max(1.0 - z * z, 0.0)) + axis * z);
   s.distance = params.ao_radius;
-  s.factor = 4.0 * PI / (1.0 + 2.0 * z);
+  float c2 = max(dot(mirrored, s.direction), 0.0);
+  c2 *= c2;
+  float c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
+  s.factor = 2.0 * PI / (0.8 * max(dot(normal, s.direction), 0.0) + 0.2 + 13.2 * c16 * c16);
   return s;
 }
 
@@ -144,7 +149,7 @@ LightSample sample_ray(uint ray, SurfacePoint point, uint seed, uint sample_inde
   radiance = vec3(1.0);
   if (ray < LIGHT_COUNT) s = sample_light(ray, point.position, random_pair(seed, sample_index, pair_base + PAIR_LIGHT + ray));
   if (AMBIENT && ray == LIGHT_COUNT)
-    s = sample_ambient(point.normal, random_pair(seed, sample_index, pair_base + PAIR_AMBIENT),
+    s = sample_ambient(point.normal, point.view, random_pair(seed, sample_index, pair_base + PAIR_AMBIENT),
                        random_pair(seed, sample_index, pair_base + PAIR_AMBIENT_CHOICE).x);
   if (ENVIRONMENT && ray == LIGHT_COUNT + (AMBIENT ? 1u : 0u))
     s = sample_environment(random_pair(seed, sample_index, pair_base + PAIR_ENVIRONMENT_CELL),

@@ -38,6 +38,7 @@ struct SurfacePoint {
   float t;
   vec3 face;     // geometric normal, on the viewer's side
   vec3 normal;   // shading normal, on the viewer's side
+  vec3 view;     // unit, to the viewer
   uint part;
   float u, v;    // barycentrics of corners 1 and 2
   float side;    // -1 seen from behind, else 1
@@ -51,6 +52,7 @@ SurfacePoint surface_point(Ray ray, int triangle) {
                               HUGE);
   uvec4 s = texelFetch(surface_texels, 4 * triangle);
   SurfacePoint point;
+  point.view = -ray.direction;
   point.t = r.x;
   point.u = r.y;
   point.v = r.z;

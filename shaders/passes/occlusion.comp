@@ -21,7 +21,7 @@ void main() {
   vec4 sum = tile.sample_base > 0u ? imageLoad(aov, int(2u * region_pixels() + index)) : vec4(0.0);
   for (uint k = 0u; k < SAMPLES; ++k) {
     vec2 u = random_pair(seed, tile.sample_base + k, PAIR_OCCLUSION);
-    vec3 direction = sample_ambient(point.normal, u, 0.0).direction;
+    vec3 direction = sample_ambient(point.normal, point.view, u, 0.0).direction;
     bool above = triangle >= 0 && dot(direction, point.face) > 0.0;
     bool visible = unoccluded(origin, direction, 0.0, above ? params.ao_radius : -1.0) && above;
     // Directions under the face but above the shading normal's horizon are no directions of the surface: not counted.

@@ -24,7 +24,9 @@ Spmm bake(const Surface& surface, const ParametricFit& parametric, const Residua
   spmm.dictionary = surface.dictionary;
   spmm.clusters = surface.clusters;
   spmm.residual = residual.residual;
-  for (size_t t = 0; t < kTexels; ++t) {
+  // The surface's v grows with its second axis; a texture's rows run the other way (phi = 90 degrees points to falling v).
+  for (size_t row = 0; row < kTexels; ++row) {
+    const size_t t = (kSide - 1 - row / kSide) * kSide + row % kSide;
     const auto first = static_cast<uint32_t>(spmm.entries.size());
     const auto& weights = parametric.weights[t];
     for (uint32_t j = 0; j < static_cast<uint32_t>(weights.rows()); ++j) {

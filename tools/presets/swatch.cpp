@@ -40,13 +40,14 @@ Swatch::Swatch(const Spmm& spmm, const EditLayer& edits)
       terms_(edits.residual_terms),
       directions_(triangulate(spmm.residual.directions, "").value()) {}
 
+// y is the frame's second axis, which points to falling v.
 dvec3 Swatch::value(double x_mm, double y_mm, dvec3 wi, dvec3 wo) const {
   const double mm{spmm_.mm_per_texel};
   const auto texel = [](double position, int period) {
     const auto i = static_cast<int>(std::floor(position));
     return ((i % period) + period) % period;
   };
-  return evaluate(spmm_, edited_, terms_, directions_, texel(x_mm / mm, spmm_.width), texel(y_mm / mm, spmm_.height),
+  return evaluate(spmm_, edited_, terms_, directions_, texel(x_mm / mm, spmm_.width), texel(-y_mm / mm, spmm_.height),
                   wi, wo);
 }
 
