@@ -70,7 +70,8 @@ void DocumentFiles::open() {
   ui::FileRequest request;
   request.title = "Open a model or project";
   request.extensions = kDocuments;
-  if (!document_.path().empty()) request.folder = document_.path().parent_path();
+  const fs::path& here = document_.path().empty() ? document_.project()->model : document_.path();
+  request.folder = here.parent_path();
   request.places = {shipped_dir("scenes")};
   request.done = [this](const fs::path& path) { open(path); };
   dialog_.open(std::move(request));
