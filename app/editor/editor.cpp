@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/editor/background_device.h"
 #include "editor/widgets/edit.h"
 #include "editor/widgets/notify.h"
 #include "editor/widgets/theme.h"
@@ -98,7 +99,12 @@ void Editor::take_document(bool fresh) {
 
 void Editor::start_renderer() {
   if (session_ || !files_.ready() || viewport_width_ == 0) return;
-  session_ = std::make_unique<RenderSession>(device_, document_.project(), viewport_width_, viewport_height_);
+  if (!render_device_) {
+    auto device = background_device(device_);
+    if (!device) throw MachineError(device.error().kind, device.error().message());
+    render_device_ = std::move(*device);
+  }
+  session_ = std::make_unique<RenderSession>(*render_device_, document_.project(), viewport_width_, viewport_height_);
   session_->pause(paused_ || snapshot_.running());
   context_.session = session_.get();
 }

@@ -102,6 +102,7 @@ class Editor {
   ViewportPicture picture_;
   ui::PanelContext context_;
   ui::Panels panels_;
+  std::unique_ptr<gpu::Device> render_device_;
   std::unique_ptr<RenderSession> session_;
 
   int viewport_width_ = 0, viewport_height_ = 0;

@@ -369,6 +369,7 @@ void Editor::add_render_actions() {
                     [this] {
                       context_.session = nullptr;
                       session_ = nullptr;
+                  render_device_ = nullptr;  // perhaps it was lost
                       picture_.clear();
                     },
                 .enabled = running});

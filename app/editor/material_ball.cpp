@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/editor/background_device.h"
 #include "engine/gpu/device.h"
 #include "engine/image/display.h"
 #include "engine/image/save.h"
@@ -55,7 +56,7 @@ Result<std::vector<std::byte>> render_material_ball(gpu::Device& window_device, 
   assign_preset(project, 0, preset, "");
   project.camera = {.eye = vec3(0, 0.045f, 0.2f), .target = vec3(0), .fov_degrees = 18.5f};
   project.lights = studio_lights(project.scene->bounds);
-  VAMP_TRY(const std::unique_ptr<gpu::Device> device, window_device.sibling());
+  VAMP_TRY(const std::unique_ptr<gpu::Device> device, background_device(window_device));
   const StillOptions options{.width = kSide, .height = kSide, .samples = kSamples};
   VAMP_TRY(const Still still,
            render_still(*device, std::make_shared<const Project>(std::move(project)), options, &progress));

@@ -1,7 +1,5 @@
 #include <imgui.h>
-#include <sys/resource.h>
 
-#include <future>
 #include <memory>
 
 #include "app/editor/editor.h"
@@ -36,19 +34,6 @@ window::WindowOptions window_options(const EditorOptions& options, const Setting
   return wanted;
 }
 
-// Where Vulkan runs on the CPU, its threads are started with the device and inherit the priority of the thread that
-// asks for it. A little below ours, so that the window stays fluent while they keep all cores busy.
-Result<std::unique_ptr<gpu::Device>> create_device(const gpu::Options& how) {
-  constexpr int kNice = 5;
-  return std::async(std::launch::async,
-                    [&how] {
-                      // Of this thread alone (Linux), since 0 names the calling one.
-                      setpriority(PRIO_PROCESS, 0, kNice);
-                      return gpu::Device::create(how);
-                    })
-      .get();
-}
-
 }  // namespace
 
 Status run_editor(const EditorOptions& options) {
@@ -64,7 +49,7 @@ Status run_editor(const EditorOptions& options) {
   how.validate = options.validate;
   how.instance_extensions = extensions;
   how.device_extensions = window::Window::device_extensions();
-  VAMP_TRY(const std::unique_ptr<gpu::Device> device, create_device(how));
+  VAMP_TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create(how));
 
   const ImGuiScope imgui;
   window::Textures textures;

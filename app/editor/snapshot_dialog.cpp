@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor/background_device.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/notify.h"
 #include "editor/widgets/row.h"
@@ -41,7 +42,7 @@ struct Order {
 // Renders and writes. A cancelled picture is not written.
 Status make_snapshot(gpu::Device& window_device, const Order& order, Progress& progress) {
   progress.stage("preparing");
-  VAMP_TRY(const std::unique_ptr<gpu::Device> device, window_device.sibling());
+  VAMP_TRY(const std::unique_ptr<gpu::Device> device, background_device(window_device));
   progress.stage("rendering");
   VAMP_TRY(const Still still, render_still(*device, order.project, order.still, &progress));
   if (progress.cancelled()) return JobQueue::cancelled_error();
