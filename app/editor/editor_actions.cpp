@@ -7,6 +7,7 @@
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/notify.h"
 #include "engine/core/files.h"
+#include "engine/gpu/device.h"
 #include "engine/project/studio.h"
 
 namespace vamp {
