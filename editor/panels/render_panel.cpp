@@ -70,7 +70,8 @@ void RenderPanel::draw_status(PanelContext& context) const {
       fmt::format("{} of {}{}", count_text(status.samples), count_text(most), status.finished ? ", done" : ""),
       "Of the pixel that has the fewest");
   row("Time", fmt::format("{:.1f} s", status.seconds), "Of rendering since the last restart");
-  row("A sample", fmt::format("{:.3g} ms", status.ms_per_sample), "For the whole picture");
+  row("A sample", fmt::format("{:.{}f} ms", status.ms_per_sample, status.ms_per_sample < 10 ? 1 : 0),
+      "For the whole picture");
   row("Noise", status.noise >= 0 ? fmt::format("{:.2g} %", static_cast<double>(status.noise) * 100) : "not known yet",
       "Estimated relative noise over the picture");
   row("Speed", fmt::format("{:.3g} Mrays/s", status.mrays_per_second), "Million rays a second");

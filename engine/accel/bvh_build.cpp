@@ -223,7 +223,7 @@ class Grid {
       lo[i] = static_cast<uint32_t>(std::clamp(std::floor(place(box.lo[k], k) - 0.5), 0.0, 65535.0));
       hi[i] = static_cast<uint32_t>(std::clamp(std::ceil(place(box.hi[k], k) + 0.5), 0.0, 65535.0));
     }
-    return uvec4(lo[0] | lo[1] << 16, lo[2] | hi[0] << 16, hi[1] | hi[2] << 16, static_cast<uint32_t>(reference));
+    return uvec4(lo[0] | hi[0] << 16, lo[1] | hi[1] << 16, lo[2] | hi[2] << 16, static_cast<uint32_t>(reference));
   }
 
   vec3 origin{0};

@@ -54,9 +54,9 @@ double half_area(const Bvh& bvh, const uvec4& child) {
   const auto size = [&](uint32_t lo, uint32_t hi, int axis) {
     return (static_cast<double>(hi) - static_cast<double>(lo)) * static_cast<double>(bvh.grid_scale[axis]);
   };
-  const double x = size(child.x & 0xffffu, child.y >> 16, 0);
-  const double y = size(child.x >> 16, child.z & 0xffffu, 1);
-  const double z = size(child.y & 0xffffu, child.z >> 16, 2);
+  const double x = size(child.x & 0xffffu, child.x >> 16, 0);
+  const double y = size(child.y & 0xffffu, child.y >> 16, 1);
+  const double z = size(child.z & 0xffffu, child.z >> 16, 2);
   return x * y + y * z + z * x;
 }
 

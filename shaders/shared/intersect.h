@@ -2,7 +2,7 @@
 // In GLSL include after the version line; in C++ the names are in vamp::.
 //
 // A node of the tree is two uvec4, one for each child, with the child's box on a 16-bit grid over the scene:
-//   x: lo.x | lo.y << 16   y: lo.z | hi.x << 16   z: hi.y | hi.z << 16   w: int, the child
+//   x: lo.x | hi.x << 16   y: lo.y | hi.y << 16   z: lo.z | hi.z << 16   w: int, the child
 // child >= 0: inner node `child`, at uvec4 2 * child and 2 * child + 1;
 // child < 0: a leaf, ~child = first << 3 | (count - 1), triangles first .. first + count - 1 in the order of the tree.
 // A triangle is three vec4: vertex 0 (w: part), vertex 1 (w: flags), vertex 2 (w: 0).
@@ -60,12 +60,16 @@ VAMP_INTERSECT_FN vec3 bvh_ray_offset(vec3 origin, vec3 direction, vec3 grid_ori
 // Exact enough never to miss: the grid boxes stand at least half a cell off the triangles, which covers rounding in
 // proportion to the scene, and the exit is stretched by 2^-19, which covers rounding in proportion to the distance.
 VAMP_INTERSECT_FN vec2 bvh_slab(uvec4 child, vec3 factor, vec3 offset, float t_min, float t_max) {
-  vec3 lo = vec3(float(child.x & 0xffffu), float(child.x >> 16), float(child.y & 0xffffu));
-  vec3 hi = vec3(float(child.y >> 16), float(child.z & 0xffffu), float(child.z >> 16));
-  VAMP_PRECISE vec3 a = lo * factor + offset;
-  VAMP_PRECISE vec3 b = hi * factor + offset;
-  vec3 near = min(a, b);
-  vec3 far = max(a, b);
+  // Where the ray runs backwards along an axis it enters through the high side: the two halves of the word change places.
+  // A shift for each lane costs less than the minimum and maximum that would sort them.
+  uint x = factor.x < 0.0f ? 16u : 0u;
+  uint y = factor.y < 0.0f ? 16u : 0u;
+  uint z = factor.z < 0.0f ? 16u : 0u;
+  vec3 in_q = vec3(float(child.x >> x & 0xffffu), float(child.y >> y & 0xffffu), float(child.z >> z & 0xffffu));
+  vec3 out_q = vec3(float(child.x >> (16u - x) & 0xffffu), float(child.y >> (16u - y) & 0xffffu),
+                    float(child.z >> (16u - z) & 0xffffu));
+  VAMP_PRECISE vec3 near = in_q * factor + offset;
+  VAMP_PRECISE vec3 far = out_q * factor + offset;
   float entry = max(max(near.x, near.y), max(near.z, t_min));
   VAMP_PRECISE float exit = min(min(min(far.x, far.y), far.z) * 1.0000019f, t_max);
   return vec2(entry, exit);

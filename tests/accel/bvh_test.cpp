@@ -22,9 +22,9 @@ struct GridBox {
 };
 
 GridBox box_of(const uvec4& child) {
-  return {vec3(static_cast<float>(child.x & 0xffffu), static_cast<float>(child.x >> 16),
-               static_cast<float>(child.y & 0xffffu)),
-          vec3(static_cast<float>(child.y >> 16), static_cast<float>(child.z & 0xffffu),
+  return {vec3(static_cast<float>(child.x & 0xffffu), static_cast<float>(child.y & 0xffffu),
+               static_cast<float>(child.z & 0xffffu)),
+          vec3(static_cast<float>(child.x >> 16), static_cast<float>(child.y >> 16),
                static_cast<float>(child.z >> 16))};
 }
 

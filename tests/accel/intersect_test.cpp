@@ -57,7 +57,7 @@ TEST(IntersectTriangle, AnEdgeSharedByTwoTrianglesIsNeverMissedByBoth) {
 }
 
 TEST(BvhSlab, AxisParallelRaysInTheFaceOfABoxHit) {
-  const uvec4 box(100u | 100u << 16, 100u | 200u << 16, 200u | 200u << 16, 0u);
+  const uvec4 box(100u | 200u << 16, 100u | 200u << 16, 100u | 200u << 16, 0u);
   const vec3 scale(1e-3f);
   const vec3 grid(0);
   for (const float x : {0.1f, 0.15f, 0.2f}) {
