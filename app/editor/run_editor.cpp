@@ -1,6 +1,8 @@
 #include <imgui.h>
 
+#include <exception>
 #include <memory>
+#include <new>
 
 #include "app/editor/editor.h"
 #include "app/editor/options.h"
@@ -69,6 +71,14 @@ Status run_editor(const EditorOptions& options) {
     // Nothing more is asked of the device; the next start offers the document.
     editor->abandon();
     return fail(error.kind(), "", "", std::string(error.what()) + "; unsaved changes are offered at the next start");
+  } catch (const std::bad_alloc&) {
+    // Here rather than further up: there the editor is gone already, and its autosave with it.
+    editor->abandon();
+    return fail(ErrorKind::failed, "", "", "out of memory; unsaved changes are offered at the next start");
+  } catch (const std::exception& error) {
+    editor->abandon();
+    return fail(ErrorKind::failed, "", "",
+                std::string(error.what()) + "; unsaved changes are offered at the next start");
   }
 }
 
