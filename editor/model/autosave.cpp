@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -21,6 +23,9 @@ namespace vamp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// From a failed write to the next attempt: a full disk may have room again.
+constexpr std::chrono::seconds kRetry{10};
 
 // Opens and locks a file for as long as this process lives; -1 where that cannot be. Another program that looks for
 // leftovers may take the file away between the two steps: then it is made again.
@@ -55,8 +60,10 @@ struct Autosave::State {
   std::optional<AutosaveContent> pending;
   Clock::time_point due;
   bool stop = false;
-  bool outdated = false;  // the document was saved since: what was written is to be removed
-  std::string problem;
+  bool outdated = false;     // the document was saved since: what was written is to be removed
+  bool written = false;      // the last write succeeded, and the document was not saved since
+  std::string problem;       // not told yet
+  std::string last_problem;  // of the last write; the same one is told once, however often it is tried again
 
   std::mutex writing;  // held around the disk: flush() and the worker never write at once
   std::thread worker;
@@ -68,22 +75,51 @@ struct Autosave::State {
     {
       const std::lock_guard lock_state(mutex);
       content.swap(pending);
+      // What is pending is newer than the save that outdated the file, and replaces it.
+      if (content) outdated = false;
     }
     if (!content) return {};
-    const Status status = write_autosave(*content, document_path);
+    const Status status = write_now(*content);
     const std::lock_guard lock_state(mutex);
-    if (!status) {
-      problem = status.error().message();
+    written = status && !outdated;
+    if (status) {
+      last_problem.clear();
+      return status;
+    }
+    if (const std::string found = status.error().message(); found != last_problem) {
+      problem = last_problem = found;
       spdlog::warn("autosave: {}", problem);
+    }
+    // It is still not on disk: unless something newer came or it was saved meanwhile, it is tried again.
+    if (!pending && !outdated) {
+      pending = std::move(content);
+      due = Clock::now() + std::max<Clock::duration>(options.delay, kRetry);
+      changed.notify_all();
     }
     return status;
   }
 
+  // Running out of memory here must not end the program: the document in memory is all there is.
+  Status write_now(const AutosaveContent& content) const {
+    try {
+      return write_autosave(content, document_path);
+    } catch (const std::exception& error) {
+      return fail(ErrorKind::failed, document_path.string(), "", error.what());
+    }
+  }
+
   void remove_document() {
+    const std::lock_guard one_writer(writing);
+    std::error_code code;
+    fs::remove(document_path, code);
+  }
+
+  // Not when flush() has written a newer document since the worker looked.
+  void remove_outdated() {
     const std::lock_guard one_writer(writing);
     {
       const std::lock_guard lock_state(mutex);
-      outdated = false;
+      if (!std::exchange(outdated, false)) return;
     }
     std::error_code code;
     fs::remove(document_path, code);
@@ -94,7 +130,7 @@ struct Autosave::State {
     while (!stop) {
       if (outdated) {
         lock_state.unlock();
-        remove_document();
+        remove_outdated();
         lock_state.lock();
       } else if (!pending) {
         changed.wait(lock_state);
@@ -102,7 +138,7 @@ struct Autosave::State {
         changed.wait_until(lock_state, due);
       } else {
         lock_state.unlock();
-        (void)write_pending();  // kept in `problem`; the next edit tries again
+        (void)write_pending();  // kept in `problem`, and tried again
         lock_state.lock();
       }
     }
@@ -156,6 +192,7 @@ void Autosave::update(const Document& document) {
     } else {
       state_->pending.reset();
       state_->outdated = true;
+      state_->written = false;
     }
   }
   state_->changed.notify_all();
@@ -167,6 +204,11 @@ void Autosave::abandon() {
   state_->stop_worker();
   (void)state_->write_pending();  // said in the log; there is nothing else to be done at an end like this
   state_->document_path.clear();
+}
+
+bool Autosave::written() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->written;
 }
 
 std::string Autosave::take_problem() {

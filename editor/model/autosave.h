@@ -33,11 +33,15 @@ class Autosave {
   // dirty has no autosave.
   void update(const Document& document);
 
-  // Writes what is pending now, on the caller's thread.
+  // Writes what is pending now, on the caller's thread. What could not be written stays pending and is tried again
+  // after 10 s.
   Status flush();
 
   // Writes what is pending and leaves it behind for the next start, as a crash would.
   void abandon();
+
+  // Whether the last write succeeded and the document was not saved since: a crash now would leave something behind.
+  bool written() const;
 
   // The last failure to write, once: "the disk is full" is worth telling, not worth stopping for. Empty: none.
   std::string take_problem();
@@ -53,7 +57,7 @@ struct Leftover {
   std::filesystem::path document;  // the project file it had been loaded from or saved to; may be empty
   std::string model;               // file name of the model, for the list
   int64_t saved_at = 0;            // seconds since 1970
-  std::string problem;             // not empty: it is damaged, and why; it can only be discarded
+  std::string problem;             // not empty: it cannot be read, and why
 };
 
 // Those whose session is gone, the latest first. `folder` as in Autosave::Options. Never fails: what cannot be read is
