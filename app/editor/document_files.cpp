@@ -22,6 +22,13 @@ std::string ago(std::chrono::steady_clock::duration past) {
   return fmt::format("{} h ago", s / 3600);
 }
 
+// Where the current folder is gone, a relative path has to do.
+fs::path absolute_or_same(const fs::path& path) {
+  std::error_code code;
+  fs::path full = fs::absolute(path, code);
+  return code ? path : full;
+}
+
 std::string names_of(const std::vector<fs::path>& files) {
   std::string names;
   for (size_t i = 0; i < files.size() && i < 4; ++i) names += "\n  " + files[i].filename().string();
@@ -92,6 +99,14 @@ void DocumentFiles::when_settled(std::function<void()> go_on) {
                 });
 }
 
+// What was asked before a document was loaded does not cover edits made while it was.
+void DocumentFiles::when_settled_since(const ProjectPtr& before, const std::string& name, std::function<void()> go_on) {
+  if (document_.project() == before) return go_on();
+  if (ready_ && document_.dirty() && question_.open())
+    return ui::notify(ui::Notice::warning, name + " was not opened: the document has changes that are not saved");
+  when_settled(std::move(go_on));
+}
+
 // Loads on a worker. The document that is open stays until the other one is there and sound.
 void DocumentFiles::load(const fs::path& path) {
   if (loading_) loading_->cancel();
@@ -103,15 +118,17 @@ void DocumentFiles::load(const fs::path& path) {
         progress.stage("reading");
         return path.empty() ? default_project() : open_scene(path);
       },
-      [this, path](Result<Project> project) {
+      [this, path, name, before = document_.project()](Result<Project> project) {
         if (project) {
           loading_ = nullptr;
-          const bool is_project = lower_extension(path) == ".vampproj";
-          take(std::move(*project), is_project ? fs::absolute(path) : fs::path(), !is_project);
-          if (path.empty()) return;
-          if (const Status status = recent_.add(fs::absolute(path)); !status)
-            spdlog::warn("{}", status.error().message());
-          return;
+          const auto loaded = std::make_shared<Project>(std::move(*project));
+          return when_settled_since(before, name, [this, path, loaded] {
+            const bool is_project = lower_extension(path) == ".vampproj";
+            const fs::path full = path.empty() ? path : absolute_or_same(path);
+            take(std::move(*loaded), is_project ? full : fs::path(), !is_project);
+            if (path.empty()) return;
+            if (const Status status = recent_.add(full); !status) spdlog::warn("{}", status.error().message());
+          });
         }
         if (project.error().kind == ErrorKind::interrupted) return;
         loading_ = nullptr;
@@ -186,7 +203,7 @@ void DocumentFiles::collect_then_write(const fs::path& path, std::function<void(
 void DocumentFiles::write(const fs::path& path, std::function<void()> then) {
   const Status saved = save_project(*document_.project(), path);
   if (!saved) return ui::notify(ui::Notice::error, saved.error().message());
-  document_.mark_saved(fs::absolute(path));
+  document_.mark_saved(absolute_or_same(path));
   saved_at_ = Clock::now();
   edited_at_ = std::nullopt;
   autosave_.update(document_);
@@ -206,7 +223,9 @@ void DocumentFiles::offer_recovery() {
   const std::string name = !leftover.document.empty() ? leftover.document.filename().string() : leftover.model;
   if (!leftover.problem.empty()) {
     spdlog::warn("{}", leftover.problem);
-    discard(leftover);
+    // It may be of a newer version, or readable again tomorrow: it is the user's to throw away.
+    ui::notify(ui::Notice::warning,
+               "Unsaved work of an earlier session cannot be read and is left where it is: " + leftover.problem);
     return next();
   }
   const int64_t now =
@@ -227,26 +246,32 @@ void DocumentFiles::recover_leftover(const Leftover& leftover) {
   problem_.clear();
   loading_ = jobs_.start(
       "Recovering", [leftover](Progress&) { return recover(leftover); },
-      [this, leftover](Result<Project> project) {
+      [this, leftover, before = document_.project()](Result<Project> project) {
         loading_ = nullptr;
         if (!project) {
           problem_ = project.error().message();
           return ui::notify(ui::Notice::error, problem_);
         }
-        take(std::move(*project), leftover.document, false);
-        document_.mark_unsaved();
-        edited_at_ = Clock::now();
-        autosave_.update(document_);
-        // The old autosave may only go when there is a new one.
-        const Status kept = autosave_.flush();
-        if (kept) {
-          discard(leftover);
-        } else {
-          ui::notify(ui::Notice::warning, kept.error().message());
-        }
-        spdlog::info("recovered {}", leftover.file.string());
-        ui::notify(ui::Notice::done, "Recovered; save it to keep it");
+        const auto recovered = std::make_shared<Project>(std::move(*project));
+        when_settled_since(before, "What was recovered",
+                           [this, leftover, recovered] { take_recovered(leftover, std::move(*recovered)); });
       });
+}
+
+void DocumentFiles::take_recovered(const Leftover& leftover, Project project) {
+  take(std::move(project), leftover.document, false);
+  document_.mark_unsaved();
+  edited_at_ = Clock::now();
+  autosave_.update(document_);
+  // The old autosave may only go when there is a new one.
+  const Status kept = autosave_.flush();
+  if (kept) {
+    discard(leftover);
+  } else {
+    ui::notify(ui::Notice::warning, kept.error().message());
+  }
+  spdlog::info("recovered {}", leftover.file.string());
+  ui::notify(ui::Notice::done, "Recovered; save it to keep it");
 }
 
 std::string DocumentFiles::title() const {
@@ -261,8 +286,9 @@ std::string DocumentFiles::title() const {
 std::string DocumentFiles::saved_text() const {
   if (!ready_) return "";
   if (document_.dirty()) {
-    // The autosave begins 2 s after the first unsaved edit and takes well under a second.
-    if (edited_at_ && Clock::now() - *edited_at_ > std::chrono::seconds(4)) return "Not saved · autosaved";
+    // The autosave begins 2 s after the first unsaved edit, and may fail.
+    if (autosave_.written() && edited_at_ && Clock::now() - *edited_at_ > std::chrono::seconds(4))
+      return "Not saved · autosaved";
     return "Not saved";
   }
   if (saved_at_) return "Saved " + ago(Clock::now() - *saved_at_);

@@ -56,6 +56,8 @@ class DocumentFiles {
  private:
   using Clock = std::chrono::steady_clock;
   void load(const std::filesystem::path& path);
+  void when_settled_since(const ProjectPtr& before, const std::string& name, std::function<void()> go_on);
+  void take_recovered(const Leftover& leftover, Project project);
   void take(Project project, const std::filesystem::path& document, bool fresh);
   void write(const std::filesystem::path& path, std::function<void()> then);
   void collect_then_write(const std::filesystem::path& path, std::function<void()> then);
