@@ -69,7 +69,8 @@ void SnapshotDialog::open(std::shared_ptr<const Project> project, int viewport_w
   viewport_height_ = std::max(viewport_height, 1);
   if (path_.empty()) {
     const fs::path stem = project_->model.stem();
-    path_ = fs::current_path() / ((stem.empty() ? "picture" : stem.string()) + ".png");
+    std::error_code code;  // the current folder may be gone: a relative path has to do then
+    path_ = fs::current_path(code) / ((stem.empty() ? "picture" : stem.string()) + ".png");
   }
   problem_.clear();
   open_ = true;
@@ -150,8 +151,10 @@ void SnapshotDialog::draw_file() {
                  {.locked = !png});
   path_ = path_with_extension(path_);
   std::string text = path_.string();
-  if (ui::text_row("File", text, "Where the picture goes.")) {
-    path_ = fs::absolute(text);
+  if (ui::text_row("File", text, "Where the picture goes.") && !text.empty()) {
+    std::error_code code;
+    const fs::path full = fs::absolute(text, code);
+    path_ = code ? fs::path(text) : full;
     const std::string extension = path_.extension().string();
     if (extension == ".exr" && png) format_ = Format::exr_float;
     if (extension == ".png" && !png) format_ = Format::png8;
