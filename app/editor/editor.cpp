@@ -183,7 +183,15 @@ double Editor::wake_after() const {
 }
 
 void Editor::close_wanted() {
-  files_.when_settled([this] { window_.quit(); });
+  const bool snapshot = snapshot_.running();
+  if (!snapshot && preset_dialog_.saving() == 0) return files_.when_settled([this] { window_.quit(); });
+  if (question_.open()) return;
+  question_.ask(
+      "Still being written",
+      std::string(snapshot ? "A snapshot" : "A preset") + " is still being made; it is lost if Vamp ends now.",
+      {"Wait", "Quit anyway", "Cancel"}, [this](size_t answer) {
+        if (answer == 1) files_.when_settled([this] { window_.quit(); });
+      });
 }
 
 void Editor::dropped(const std::vector<std::string>& paths) {

@@ -78,6 +78,7 @@ void PresetDialog::draw() {
 void PresetDialog::start() {
   preset_.name = name_.substr(0, 200);
   preset_.tags = split_tags(tags_);
+  ++saving_;
   jobs_.start(
       "Saving preset " + preset_.name,
       [&device = device_, preset = preset_, origin = origin_](Progress& progress) mutable -> Result<Preset> {
@@ -98,6 +99,7 @@ void PresetDialog::start() {
         return std::move(preset);
       },
       [this](Result<Preset> preset) {
+        --saving_;
         if (!preset) return;
         const auto path = library_.save_new(*preset);
         if (!path) return ui::notify(ui::Notice::error, path.error().message());

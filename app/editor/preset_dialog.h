@@ -19,6 +19,8 @@ class PresetDialog {
 
   void open(const Project& project, int material);
   void draw();
+  // Presets that are on their way to the library.
+  int saving() const { return saving_; }
 
   // Told after the library has a new preset.
   std::function<void()> saved;
@@ -33,6 +35,7 @@ class PresetDialog {
   std::string origin_;  // reference of the preset that it began as; may be empty
   std::string name_, tags_;
   bool open_ = false;
+  int saving_ = 0;
 };
 
 // "leather, calf  ,brown" as tags: trimmed, without empty and repeated ones.
