@@ -17,7 +17,10 @@ Status open_editor(EditorOptions options, const CommonOptions& common) {
   options.validate = common.validate;
   catch_interrupts();
   options.interrupted = interrupted;
-  return run_editor(options);
+  VAMP_CHECK_STATUS(run_editor(options));
+  if (interrupted())
+    return fail(ErrorKind::interrupted, "", "", "the editor was stopped; what was not saved is kept aside");
+  return {};
 }
 
 }  // namespace

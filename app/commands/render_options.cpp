@@ -116,6 +116,9 @@ Result<RenderOptions> read_render_options(const RenderText& text) {
                                [](const auto& value) { return count_option(value, "--seed", 0, UINT32_MAX); }));
   VAMP_CHECK_STATUS(
       read_given(text.camera, options.camera, [](const auto& value) { return parse_camera(value, "--camera"); }));
+  if (text.lights.size() > kMaxLights)
+    return fail(ErrorKind::usage, "", "--light", fmt::format("at most {} lights", kMaxLights),
+                std::to_string(text.lights.size()));
   for (const std::string& value : text.lights) {
     VAMP_TRY(Light light, parse_light(value, "--light"));
     options.lights.push_back(std::move(light));

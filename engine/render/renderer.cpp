@@ -13,6 +13,8 @@
 namespace vamp {
 namespace {
 
+static_assert(kMaxLights == MAX_LIGHTS);
+
 constexpr float kUnbounded = 3.0e38f;
 constexpr uint32_t kAovLayers = 3;
 
@@ -127,15 +129,23 @@ bool Renderer::lights_moved(const Project& now) const {
   if (!project_ || now.lights.size() != project_->lights.size()) return true;
   for (size_t i = 0; i < now.lights.size(); ++i) {
     const bool traced = std::find(lights_.begin(), lights_.end(), i) != lights_.end();
-    if (now.lights[i].on && !traced) return true;
+    // A dark light is left out, as in a fresh render: its place in the order numbers the others' random pairs.
+    if (now.lights[i].on != traced) return true;
     if (traced && !same_geometry(now.lights[i], project_->lights[i])) return true;
   }
   return false;
 }
 
 Result<Change> Renderer::set_project(std::shared_ptr<const Project> next) {
+  VAMP_CHECK_STATUS(validate(*next, next->model.string()));
+  Result<Change> change = take_project(std::move(next));
+  // Some tables are the new project's and some the old one's now: the next project is sent whole.
+  if (!change) project_ = nullptr;
+  return change;
+}
+
+Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   const Project& now = *next;
-  VAMP_CHECK_STATUS(validate(now, now.model.string()));
   Change change;
   const auto restart = [&](const char* why) {
     if (!change.restarted) change.what = why;

@@ -84,6 +84,7 @@ class Renderer {
   double rays_per_sample(double coverage) const;
 
  private:
+  Result<Change> take_project(std::shared_ptr<const Project> next);
   uint64_t submit_batch(const Region& area, uint32_t done, uint32_t batch);
   void make_picture();
   void make_descriptor_set();

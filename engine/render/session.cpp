@@ -154,6 +154,11 @@ class RenderSession::Impl {
       spdlog::error("{}", error.what());
       const std::lock_guard lock(mutex_);
       status_.error = error.what();
+    } catch (const std::exception& error) {
+      // Above all the computer's memory: the picture stops, the document stays.
+      spdlog::error("the renderer stopped: {}", error.what());
+      const std::lock_guard lock(mutex_);
+      status_.error = std::string("the renderer stopped: ") + error.what();
     }
   }
 
@@ -205,6 +210,7 @@ class RenderSession::Impl {
     finished_ = renderer_.region().width > 0 && renderer_.samples() >= project->settings.max_samples;
     const std::lock_guard lock(mutex_);
     status_.error.clear();
+    status_.finished = finished_;
     if (change->bytes > 0) status_.bytes_uploaded = change->bytes;
   }
 
@@ -229,6 +235,8 @@ class RenderSession::Impl {
     ids_stale_ = ids_stale_ || places_changed;
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
+    status_.samples = 0;
+    status_.finished = false;
     status_.restarted_pixels =
         static_cast<uint64_t>(renderer_.region().width) * static_cast<uint64_t>(renderer_.region().height);
   }

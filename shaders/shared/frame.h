@@ -45,7 +45,7 @@ using uint = std::uint32_t;
 #define SPEC_PIXEL_CENTRES 11      // bool: no jitter
 #define SPEC_NEW_HIT 12            // bool: trace the primary ray, else take the stored hit
 
-#define MAX_LIGHTS 16
+#define MAX_LIGHTS 14              // with ambient and environment 16 shadow rays: half a word of visibility bits a vertex
 #define TILE_SIDE 64
 #define GROUP_SIZE 64
 #define SAMPLES_PER_HIT 4          // one stored primary hit serves four samples

@@ -113,6 +113,8 @@ TEST_F(RenderTest, EditsOnTheWayLeaveNoTrace) {
       [&] { project.materials.back().edits.residual_terms = 2; },
       [&] { project.materials.back().edits.residual_policy = ResidualPolicy::keep; },
       [&] { project.lights[0].power = 5; },
+      [&] { project.lights[0].on = false; },
+      [&] { project.lights[0].on = true; },
       [&] { project.lights[1].on = false; },
       [&] { project.lights[1].on = true; },
       [&] { project.lights[1].center.x += 0.5f; },
