@@ -1,9 +1,9 @@
-#include <cstdio>
 #include <set>
 
 #include "engine/core/files.h"
 #include "engine/project/known_files.h"
 #include "engine/project/project_file.h"
+#include "engine/scene/gltf_file.h"
 
 namespace vamp {
 namespace {
@@ -37,17 +37,8 @@ Result<std::vector<std::string>> gltf_resources(const fs::path& path) {
       if (!item.is_object() || !item.contains("uri") || !item.at("uri").is_string()) continue;
       const auto uri = item.at("uri").get<std::string>();
       if (uri.starts_with("data:") || names.size() >= kMaxGltfResources) continue;
-      std::string name;
-      for (size_t i = 0; i < uri.size(); ++i) {
-        unsigned code = 0;
-        if (uri[i] == '%' && i + 2 < uri.size() && std::sscanf(uri.c_str() + i + 1, "%2x", &code) == 1) {
-          name.push_back(static_cast<char>(code));
-          i += 2;
-        } else {
-          name.push_back(uri[i]);
-        }
-      }
-      names.push_back(name);
+      VAMP_TRY(std::string name, percent_decoded(uri, path.string(), list));
+      names.push_back(std::move(name));
     }
   }
   return names;

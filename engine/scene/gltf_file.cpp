@@ -89,28 +89,6 @@ Result<std::vector<std::byte>> decode_base64(std::string_view text, std::string_
   return bytes;
 }
 
-// "my%20shoe.bin" names the file "my shoe.bin".
-Result<std::string> percent_decoded(const std::string& uri, std::string_view file, std::string_view place) {
-  std::string text;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      text += uri[i];
-      continue;
-    }
-    const auto digit = [&](size_t at) -> int {
-      const char c = at < uri.size() ? uri[at] : ' ';
-      if (c >= '0' && c <= '9') return c - '0';
-      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-      return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-    };
-    if (digit(i + 1) < 0 || digit(i + 2) < 0)
-      return fail(ErrorKind::bad_input, file, place, "two hexadecimal digits after %", "\"" + uri.substr(0, 80) + "\"");
-    text += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
-    i += 2;
-  }
-  return text;
-}
-
 Status check_asset(const Json& json, const std::string& file) {
   if (!json.is_object()) return fail(ErrorKind::bad_input, file, "", "a JSON object", json.type_name());
   const JsonReader root(json, file);
@@ -156,6 +134,27 @@ Status read_buffers(GltfFile& gltf, const Chunks& chunks) {
 }
 
 }  // namespace
+
+Result<std::string> percent_decoded(const std::string& uri, std::string_view file, std::string_view place) {
+  std::string text;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] != '%') {
+      text += uri[i];
+      continue;
+    }
+    const auto digit = [&](size_t at) -> int {
+      const char c = at < uri.size() ? uri[at] : ' ';
+      if (c >= '0' && c <= '9') return c - '0';
+      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+      return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    };
+    if (digit(i + 1) < 0 || digit(i + 2) < 0)
+      return fail(ErrorKind::bad_input, file, place, "two hexadecimal digits after %", "\"" + uri.substr(0, 80) + "\"");
+    text += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
+    i += 2;
+  }
+  return text;
+}
 
 Result<std::vector<std::byte>> read_uri(const std::string& uri, const fs::path& folder, std::string_view file,
                                         std::string_view place) {

@@ -29,4 +29,7 @@ Result<GltfFile> read_gltf_file(const fs::path& path);
 Result<std::vector<std::byte>> read_uri(const std::string& uri, const fs::path& folder, std::string_view file,
                                         std::string_view place);
 
+// "my%20shoe.bin" names the file "my shoe.bin". An error where % does not stand before two hexadecimal digits.
+Result<std::string> percent_decoded(const std::string& uri, std::string_view file, std::string_view place);
+
 }  // namespace vamp
