@@ -1,5 +1,5 @@
 // The material tables as the kernels read them: rows of 16-byte texels, so that they can be fetched through texel buffers
-// (nearly twice as fast as storage buffers on Mesa 22's lavapipe; reference figures in docs/performance.md).
+// (nearly twice as fast as storage buffers on Mesa 22's lavapipe).
 // Read by GLSL and C++. No padding, 4-byte members, no bool.
 #ifdef __cplusplus
 #pragma once
