@@ -1,12 +1,12 @@
 // The device computes what the C++ float build of the same text computes.
-#include <gtest/gtest.h>
-
-#include <array>
+#include <cstddef>
 
 #include "engine/brdf/kernel.h"
-#include "engine/gpu/device.h"
+#include "shaders/shared/probe.h"
 #include "shaders/spirv.h"
+#include "tests/brdf/device.h"
 #include "tests/brdf/lobes.h"
+#include "tests/gpu/spirv_reflection.h"
 
 namespace vamp {
 namespace {
@@ -16,140 +16,92 @@ using test::lobes_of_width;
 using test::name_of;
 using test::rounded;
 
-// probe.comp has the same.
-struct Probe {
-  float wi[3];
-  uint32_t tag;
-  float wo[3];
-  int32_t model;
-  float k[4];
-  int32_t variant;
-  float p[6];
-  float u0, u1;
-  float lobe, value, density;
-  float drawn[3];
-  int32_t valid;
-  float pdf, weight;
-  float unused[2];
-};
-static_assert(sizeof(Probe) == 128);
-
-vec3 vector(const float w[3]) { return {w[0], w[1], w[2]}; }
-
-struct Case {
-  Lobe lobe;
-  PackedLobe packed;
-};
-
-class BrdfOnTheDevice : public testing::Test {
- protected:
-  void SetUp() override {
-    auto made = gpu::Device::create({});
-    ASSERT_TRUE(made) << made.error().message();
-    device_ = std::move(*made);
-  }
-
-  std::vector<Probe> run(const std::vector<Probe>& probes, uint32_t mask) {
-    const gpu::TypedBuffer<Probe> buffer(*device_, "probes", probes.size());
-    device_->upload_rows(buffer, 0, probes);
-    const gpu::ComputePipeline pipeline(*device_, {.name = "brdf probe",
-                                                   .spirv = spirv::probe_comp(),
-                                                   .bindings = {{0, gpu::BindingType::storage_buffer}},
-                                                   .push_bytes = 0,
-                                                   .constants = {{0, mask}}});
-    const gpu::DescriptorSet set(*device_, pipeline, {{0, buffer}});
-    gpu::CommandList list = device_->begin("brdf probe");
-    list.bind(pipeline, set);
-    list.dispatch(static_cast<uint32_t>((probes.size() + 63) / 64));
-    return device_->readback_rows(buffer, 0, probes.size(), device_->submit(std::move(list)));
-  }
-
-  std::unique_ptr<gpu::Device> device_;
-};
-
 // Lights near the highlight, as many for each variant and width.
-void make_probes(std::vector<Case>& cases, std::vector<Probe>& probes) {
+std::vector<BrdfQuestion> questions() {
+  std::vector<BrdfQuestion> all;
   Directions random(1);
   for (double width : {0.0, 0.5, 1.0}) {
     for (const Lobe& lobe : lobes_of_width(width)) {
-      const PackedLobe packed = pack_lobe(lobe);
       for (int i = 0; i < 200; ++i) {
         const vec3 wo = rounded(random.grazing(i % 2 ? 1e-3 : 0.17, 1));
         const LobeSample s = sample_lobe(lobe, dvec3(wo), random.uniform(), random.uniform());
         const vec3 wi = rounded(s.valid ? s.wi : random.grazing(1e-3, 1));
-        Probe probe{.wi = {wi.x, wi.y, wi.z},
-                    .tag = packed.tag,
-                    .wo = {wo.x, wo.y, wo.z},
-                    .model = static_cast<int32_t>(lobe.model),
-                    .k = {packed.k[0], packed.k[1], packed.k[2], packed.k[3]},
-                    .variant = lobe.variant,
-                    .p = {},
-                    .u0 = static_cast<float>(random.uniform()) * 0.999f,
-                    .u1 = static_cast<float>(random.uniform()) * 0.999f};
-        std::copy(lobe.params.begin(), lobe.params.end(), probe.p);
-        cases.push_back({lobe, packed});
-        probes.push_back(probe);
+        const auto u = [&] { return static_cast<float>(random.uniform()) * 0.999f; };
+        all.push_back({lobe, wi, wo, vec2(u(), u())});
       }
     }
   }
+  return all;
 }
 
 double relative(double a, double b) { return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-30}); }
 
+class BrdfOnTheDevice : public test::OnTheDevice {};
+
 TEST_F(BrdfOnTheDevice, EqualsTheCpuBuildOfTheSameText) {
-  std::vector<Case> cases;
-  std::vector<Probe> probes;
-  make_probes(cases, probes);
-  const std::vector<Probe> results = run(probes, 2047);
+  const std::vector<BrdfQuestion> all = questions();
+  const std::vector<BrdfValue> values = probe->values(all);
+  const std::vector<float> lobes = probe->lobe_values(all);
   size_t same = 0;
-  for (size_t i = 0; i < probes.size(); ++i) {
-    const Probe& r = results[i];
-    const Lobe& lobe = cases[i].lobe;
-    const vec3 wi = vector(r.wi), wo = vector(r.wo);
-    const float value = brdf_f32::eval(lobe, wi, wo), packed = brdf_f32::packed(r.tag, r.k, wi, wo);
-    same += r.value == value && r.lobe == packed;
-    EXPECT_LE(relative(r.value, value), 3e-5) << name_of(lobe);
-    EXPECT_LE(relative(r.lobe, packed), 3e-5) << name_of(lobe);
-    EXPECT_LE(relative(r.density, lobe_pdf(lobe, wi, wo)), 3e-5) << name_of(lobe);
-    const LobeSample s = sample_lobe(lobe, wo, r.u0, r.u1);
-    EXPECT_EQ(r.valid != 0, s.valid) << name_of(lobe);
-    if (s.valid) {
-      EXPECT_LE(glm::length(dvec3(vector(r.drawn)) - s.wi), 1e-6) << name_of(lobe);
-    }
+  for (size_t i = 0; i < all.size(); ++i) {
+    const auto& [lobe, wi, wo, u] = all[i];
+    const float value = brdf_f32::eval(lobe, wi, wo), shaded = lobe_value(pack_lobe(lobe), wi, wo);
+    same += values[i].fcos == value && lobes[i] == shaded;
+    EXPECT_LE(relative(values[i].fcos, value), 3e-5) << name_of(lobe);
+    EXPECT_LE(relative(lobes[i], shaded), 3e-5) << name_of(lobe);
+    EXPECT_LE(relative(values[i].pdf, lobe_pdf(lobe, wi, wo)), 3e-5) << name_of(lobe);
   }
-  RecordProperty("same_bits_percent", static_cast<int>(100 * same / probes.size()));
+  RecordProperty("same_bits_percent", static_cast<int>(100 * same / all.size()));
 }
 
-TEST_F(BrdfOnTheDevice, StaysWithinTheCoreBudgetOfTheOracle) {
-  std::vector<Case> cases;
-  std::vector<Probe> probes;
-  make_probes(cases, probes);
-  const std::vector<Probe> results = run(probes, 2047);
-  for (size_t i = 0; i < probes.size(); ++i) {
-    const Probe& r = results[i];
-    const vec3 wi = vector(r.wi), wo = vector(r.wo);
-    if (wi.z < 0.174f || wo.z < 0.174f) continue;
-    const Lobe& lobe = cases[i].lobe;
-    const double truth = brdf_f64::eval(lobe, dvec3(wi), dvec3(wo));
-    if (truth < 1e-3 * brdf_f64::eval(lobe, dvec3(-wo.x, -wo.y, wo.z), dvec3(wo))) continue;
-    const double budget = lobe.model == Model::lafortune ? 1e-4 : 3e-5;
-    EXPECT_LE(relative(r.value, truth), budget) << name_of(lobe);
-    EXPECT_LE(relative(static_cast<double>(cases[i].packed.scale) * r.lobe, truth), budget) << name_of(lobe);
+TEST_F(BrdfOnTheDevice, DrawsWhatTheCpuDraws) {
+  const std::vector<BrdfQuestion> all = questions();
+  const std::vector<BrdfDraw> draws = probe->draws(all);
+  for (size_t i = 0; i < all.size(); ++i) {
+    const auto& [lobe, wi, wo, u] = all[i];
+    const LobeSample s = sample_lobe(lobe, wo, u.x, u.y);
+    ASSERT_EQ(draws[i].valid, s.valid) << name_of(lobe);
+    if (!s.valid) continue;
+    EXPECT_LE(glm::length(dvec3(draws[i].wi) - s.wi), 1e-6) << name_of(lobe);
+    EXPECT_LE(relative(draws[i].weight, s.weight), 1e-4) << name_of(lobe);
   }
 }
 
 TEST_F(BrdfOnTheDevice, SpecialisedKernelsGiveTheSameBits) {
-  std::vector<Case> cases;
-  std::vector<Probe> probes;
-  make_probes(cases, probes);
-  const std::vector<Probe> all = run(probes, 2047);
+  const std::vector<BrdfQuestion> all = questions();
+  const std::vector<float> everything = probe->lobe_values(all);
   for (uint32_t mask : {1u, 2u, 4u, 8u, 16u, 32u, 64u, 127u, 1088u}) {
-    const std::vector<Probe> some = run(probes, mask);
-    for (size_t i = 0; i < probes.size(); ++i) {
-      if ((lobe_models_bit(cases[i].lobe) & ~mask) != 0) continue;
-      EXPECT_EQ(some[i].lobe, all[i].lobe) << name_of(cases[i].lobe) << " with models " << mask;
+    const std::vector<float> some = probe->lobe_values(all, mask);
+    for (size_t i = 0; i < all.size(); ++i) {
+      if ((lobe_models_bit(all[i].lobe) & ~mask) != 0) continue;
+      EXPECT_EQ(some[i], everything[i]) << name_of(all[i].lobe) << " with models " << mask;
     }
   }
+}
+
+TEST_F(BrdfOnTheDevice, ManyQuestionsAreAnsweredInTheirOrder) {
+  std::vector<BrdfQuestion> many(200001);
+  for (size_t i = 0; i < many.size(); ++i) {
+    many[i].lobe = {Model::lambert, 0, {static_cast<float>(i)}};
+  }
+  const std::vector<BrdfValue> values = probe->values(many);
+  ASSERT_EQ(values.size(), many.size());
+  for (size_t i = 0; i < many.size(); ++i) ASSERT_NEAR(values[i].fcos * std::numbers::pi, i, 1e-6 * i);
+  EXPECT_TRUE(probe->values({}).empty());
+}
+
+TEST(BrdfProbe, RowsLieTheSameWayOnBothSides) {
+  const auto question = test::reflect_struct(spirv::brdf_probe_comp(), "Question");
+  ASSERT_TRUE(question) << question.error().message();
+  EXPECT_EQ(question->stride, sizeof(probe::Question));
+  EXPECT_EQ(question->offsets.at("wo"), offsetof(probe::Question, wo));
+  EXPECT_EQ(question->offsets.at("p0"), offsetof(probe::Question, p0));
+  EXPECT_EQ(question->offsets.at("u0"), offsetof(probe::Question, u0));
+  EXPECT_EQ(question->offsets.at("tag"), offsetof(probe::Question, tag));
+  const auto answer = test::reflect_struct(spirv::brdf_probe_comp(), "Answer");
+  ASSERT_TRUE(answer) << answer.error().message();
+  EXPECT_EQ(answer->stride, sizeof(probe::Answer));
+  EXPECT_EQ(answer->offsets.at("valid"), offsetof(probe::Answer, valid));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #version 460
-// Every function of shaders/brdf called once: compiled by the build for several LOBE_MODELS, run by gpu_test.cpp.
+// Every function of shaders/brdf called once: compiled by the build for several LOBE_MODELS.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
 
@@ -10,7 +10,7 @@ layout(constant_id = 0) const uint kModels = 2047u;
 #include "shaders/brdf/lobe.glsl"
 #include "shaders/brdf/models.glsl"
 
-// tests/brdf/gpu_test.cpp has the same in C++; every row of four words is full.
+// Every row of four words is full.
 struct Probe {
   vec3 wi;
   uint tag;
