@@ -5,6 +5,8 @@
 
 namespace vamp {
 
+using Half = uint16_t;  // its bits
+
 inline constexpr float kHalfMax = 65504.0f;
 
 // To the nearest half, ties to even; magnitudes from 65520 on become infinity, NaN stays NaN.

@@ -1,20 +1,12 @@
 #include "engine/material/directions.h"
 
-#include <numbers>
+#include "engine/core/direction_set.h"
 
 namespace vamp {
 
 std::vector<vec3> ubo2003_directions() {
-  constexpr int kCounts[] = {1, 6, 12, 18, 20, 24};
   std::vector<vec3> directions;
-  for (int ring = 0; ring < 6; ++ring) {
-    const double theta = ring * 15 * std::numbers::pi / 180;
-    for (int i = 0; i < kCounts[ring]; ++i) {
-      const double phi = 2 * std::numbers::pi * i / kCounts[ring];
-      directions.emplace_back(static_cast<float>(std::sin(theta) * std::cos(phi)),
-                              static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
-    }
-  }
+  for (const dvec3& direction : ubo81().directions) directions.emplace_back(direction);
   return directions;
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+// BDI, Bonn's unfactored BTF: behind the header chunks of whole rows of texels, each behind its size in bytes. Texels
+// that the mask leaves out are not stored.
+#include <optional>
+
+#include "engine/btf/bonn_header.h"
+
+namespace vamp {
+
+struct BdiHeader {
+  BonnHeader bonn;
+  uint32_t rows_per_chunk = 0;
+  std::span<const std::byte> mask;  // per texel, 0: not stored
+  uint64_t stored_texels = 0;       // those that the mask leaves in
+  uint64_t first_texel = 0;         // byte of the first stored texel
+  uint64_t texels_per_chunk = 0;
+  uint64_t bytes_per_texel = 0;
+
+  // Where the i-th stored texel lies.
+  uint64_t offset(uint64_t i) const {
+    return first_texel + i * bytes_per_texel + i / texels_per_chunk * sizeof(uint32_t);
+  }
+};
+
+// Reads and checks everything but the values: all chunks are there, of the right size, and nothing comes after them.
+Result<BdiHeader> read_bdi_header(std::span<const std::byte> bytes, std::string_view file);
+
+// Why the values cannot be used where they lie, as what was found; nothing when they can.
+std::optional<std::string> why_not_mapped(const BdiHeader& header);
+
+}  // namespace vamp

@@ -1,0 +1,48 @@
+#include "engine/btf/btf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/core/check.h"
+
+namespace vamp {
+
+Btf::Btf(BtfInfo info, MemoryMap map, Layout layout, fs::path path)
+    : info_(std::move(info)),
+      map_(std::move(map)),
+      layout_(layout),
+      path_(std::move(path)),
+      values_per_texel_(info_.values_per_texel()) {}
+
+Result<Btf> Btf::in_memory(BtfInfo info) {
+  const uint64_t bytes = uint64_t{info.texel_count()} * info.values_per_texel() * sizeof(Half);
+  VAMP_TRY(MemoryMap map, MemoryMap::in_memory(bytes));
+  const Layout one_chunk{0, std::numeric_limits<uint64_t>::max()};
+  return Btf(std::move(info), std::move(map), one_chunk, {});
+}
+
+void Btf::read_texel(size_t texel, std::span<float> values) const {
+  const auto halfs = this->texel(texel);
+  CHECK(values.size() == halfs.size());
+  std::ranges::transform(halfs, values.begin(), float_from_half);
+}
+
+void Btf::write_texel(size_t texel, std::span<const float> values) {
+  const auto halfs = writable_texel(texel);
+  CHECK(values.size() == halfs.size());
+  std::ranges::transform(values, halfs.begin(), [](float value) {
+    CHECK(!std::isnan(value));
+    return half_from_float(std::clamp(value, -kHalfMax, kHalfMax));
+  });
+}
+
+void Btf::forget(size_t first_texel, size_t count) const {
+  const uint64_t first = offset(first_texel);
+  map_.forget(first, offset(first_texel + count) - first);
+}
+
+Status Btf::flush() const { return map_.flush(path_); }
+
+}  // namespace vamp

@@ -1,0 +1,16 @@
+#pragma once
+// What Bonn's header has no field for, as one XML element inside its XML text:
+//   <vamp name="felt05" provenance="..." licence="..." mm_per_texel="0.0625" synthetic="no"/>
+#include <string>
+#include <string_view>
+
+#include "engine/btf/btf.h"
+
+namespace vamp {
+
+std::string btf_xml(const BtfInfo& info);
+
+// Fills in what the element says; false, and nothing filled in, when there is none.
+bool read_btf_xml(std::string_view xml, BtfInfo& info);
+
+}  // namespace vamp
