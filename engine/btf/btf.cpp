@@ -1,5 +1,7 @@
 #include "engine/btf/btf.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +10,12 @@
 #include "engine/core/check.h"
 
 namespace vamp {
+
+std::string place_of(const BtfInfo& info, size_t texel, size_t direction) {
+  const size_t lights = info.lights.size();
+  return fmt::format("texel ({}, {}), view {}, light {}", texel % info.width, texel / info.width, direction / lights,
+                     direction % lights);
+}
 
 Btf::Btf(BtfInfo info, MemoryMap map, Layout layout, fs::path path)
     : info_(std::move(info)),

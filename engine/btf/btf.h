@@ -33,6 +33,9 @@ struct BtfInfo {
   size_t values_per_texel() const { return views.size() * lights.size() * 3; }
 };
 
+// "texel (3, 4), view 5, light 6" for messages; direction = view * lights + light.
+std::string place_of(const BtfInfo& info, size_t texel, size_t direction);
+
 // Texel-major: the whole ABRDF of a texel is contiguous, a sample is
 //   half[((texel * views + view) * lights + light) * 3 + channel],  texel = y * width + x, row 0 at v = 0.
 // Lies in a memory map of a Bonn BDI file, or in memory. Move-only. Texels may be read from many threads at once, and
