@@ -47,7 +47,7 @@ void add_common_options(CLI::App& app, CommonOptions& options, Action& action) {
 void add_help(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("help", "Say what a verb does");
   auto name = std::make_shared<std::string>();
-  verb->add_option("verb", *name, "edit, render, compare or info");
+  verb->add_option("verb", *name, "One of those above");
   verb->callback([name, &app, &action] {
     action = [name, &app]() -> Status {
       if (name->empty()) {

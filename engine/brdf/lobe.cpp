@@ -10,10 +10,11 @@
 namespace vamp {
 namespace {
 
-template <class Vec>
-Vec unit(Vec w) {
-  const auto length2 = glm::dot(w, w);
-  return std::abs(length2 - 1) <= decltype(length2)(2e-6) ? w : glm::normalize(w);
+constexpr double kUnitSlack = 2e-6;  // of the squared length
+
+dvec3 unit_direction(dvec3 w) {
+  const double length2 = glm::dot(w, w);
+  return std::abs(length2 - 1) <= kUnitSlack || length2 == 0 ? w : w / std::sqrt(length2);
 }
 
 // Whether turning wi and wo together about the normal changes the lobe.
@@ -33,14 +34,16 @@ bool is_anisotropic(const Lobe& lobe) {
 
 }  // namespace
 
+vec3 unit_direction(vec3 w) { return vec3(unit_direction(dvec3(w))); }
+
 double fcos(const Lobe& lobe, dvec3 wi, dvec3 wo) {
   if (!(wi.z > 0 && wo.z > 0)) return 0;
-  return brdf_f64::eval(lobe, unit(wi), unit(wo));
+  return brdf_f64::eval(lobe, unit_direction(wi), unit_direction(wo));
 }
 
 float fcos(const Lobe& lobe, vec3 wi, vec3 wo) {
   if (!(wi.z > 0 && wo.z > 0)) return 0;
-  return brdf_f32::eval(lobe, unit(wi), unit(wo));
+  return brdf_f32::eval(lobe, unit_direction(wi), unit_direction(wo));
 }
 
 float lobe_value(const PackedLobe& lobe, vec3 wi, vec3 wo) {

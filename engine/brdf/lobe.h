@@ -52,10 +52,13 @@ PackedLobe pack_lobe(const Lobe& lobe);
 // The LOBE_* bit that a kernel must have in its LOBE_MODELS mask to evaluate this lobe; or them over a scene.
 uint32_t lobe_models_bit(const Lobe& lobe);
 
-// f * cos in 1/sr, by the model's robust form; `wi` to the light, `wo` to the viewer, z the normal. A direction whose
-// length is off by more than 1e-6 is normalised first (touching a better one would cost a sharp highlight digits); 0
-// when either is not above the horizon. No windows, nothing clamped (Oren-Nayar full may be negative). The float
-// version is the text the GPU runs; the double version is its oracle.
+// The nearest float direction of length 1. One whose squared length is off by less than 2e-6 is kept as it is: touching
+// its last bits would cost a sharp highlight digits.
+vec3 unit_direction(vec3 w);
+
+// f * cos in 1/sr, by the model's robust form; `wi` to the light, `wo` to the viewer, z the normal. Directions are
+// normalised as by unit_direction(); 0 when either is not above the horizon. No windows, nothing clamped (Oren-Nayar
+// full may be negative). The float version is the text the GPU runs; the double version is its oracle.
 double fcos(const Lobe& lobe, dvec3 wi, dvec3 wo);
 float fcos(const Lobe& lobe, vec3 wi, vec3 wo);
 

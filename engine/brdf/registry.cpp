@@ -11,6 +11,18 @@
 
 namespace vamp {
 
+std::string_view name_of(Mapping mapping) {
+  switch (mapping) {
+    case Mapping::linear:
+      return "linear";
+    case Mapping::logarithmic:
+      return "logarithmic";
+    case Mapping::square:
+      return "square";
+  }
+  return "";
+}
+
 float ParameterRow::display_factor() const { return unit == "deg" ? static_cast<float>(180 / std::numbers::pi) : 1; }
 
 std::span<const ModelRow> models() { return kModelRows; }

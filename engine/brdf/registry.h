@@ -16,6 +16,7 @@ enum class Mapping : uint8_t {
   logarithmic,  // equal steps multiply: by the value, or by 1 + value when the range starts at 0
   square,       // value - min grows with the square of the position: finer steps near min
 };
+std::string_view name_of(Mapping mapping);
 
 // One parameter of one model. Angles are radians in a Lobe and degrees wherever a person sees them.
 struct ParameterRow {
