@@ -1,0 +1,169 @@
+#include "engine/btf/load_btf.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <fstream>
+#include <utility>
+
+#include "engine/btf/bdi.h"
+#include "engine/btf/factored_btf.h"
+#include "engine/btf/light_list.h"
+#include "engine/btf/ptm.h"
+#include "engine/btf/sample_colour.h"
+#include "engine/core/jobs.h"
+
+namespace vamp {
+namespace {
+
+constexpr uint64_t kMostInMemory = uint64_t{1} << 30;
+
+// Half floats whose exponent is all ones are infinities and NaN.
+bool is_finite(Half value) { return (value & 0x7c00u) != 0x7c00u; }
+
+// The values of a BDI file that cannot be used where they lie: converted, the texels that it leaves out black.
+Result<Btf> decode_bdi(const fs::path& path, const MemoryMap& map, const BdiHeader& header, const fs::path& output,
+                       Progress* progress) {
+  const std::string file = path.string();
+  const BonnHeader& bonn = header.bonn;
+  VAMP_TRY(const SampleColour colour, SampleColour::of(bonn.channels, info_of(bonn), bonn.has_cosine, {}, file));
+  VAMP_TRY(Btf btf, make_btf(info_of(bonn), output));
+  if (progress != nullptr) progress->stage("Converting values");
+  const size_t channels = bonn.channels.size();
+  std::vector<Half> halfs(header.bytes_per_texel / sizeof(Half));
+  std::vector<double> sample(channels);
+  std::vector<float> values(btf.values_per_texel());
+  uint64_t stored = 0;
+  for (size_t t = 0; t < btf.texel_count(); ++t) {
+    if (header.mask[t] == std::byte{0}) continue;
+    std::memcpy(halfs.data(), map.bytes().data() + header.offset(stored++), header.bytes_per_texel);
+    for (size_t d = 0; d < halfs.size() / channels; ++d) {
+      for (size_t c = 0; c < channels; ++c) sample[c] = double{float_from_half(halfs[d * channels + c])};
+      if (!colour.convert(sample, d % bonn.lights.size(), std::span(values).subspan(3 * d).first<3>()))
+        return fail(ErrorKind::bad_input, file, place_of(btf.info(), t, d), "a finite value", "none");
+    }
+    btf.write_texel(t, values);
+    if (progress == nullptr) continue;
+    progress->fraction(static_cast<float>(t) / static_cast<float>(btf.texel_count()));
+    if (progress->cancelled()) return JobQueue::cancelled_error();
+  }
+  return btf;
+}
+
+Result<Btf> load_bdi(const fs::path& path, const fs::path& output, Progress* progress) {
+  VAMP_TRY(const MemoryMap map, MemoryMap::open(path, MapAccess::read));
+  VAMP_TRY(const BdiHeader header, read_bdi_header(map.bytes(), path.string()));
+  if (why_not_mapped(header)) return decode_bdi(path, map, header, output, progress);
+  VAMP_TRY(Btf btf, Btf::open(path));
+  VAMP_CHECK_STATUS(check_finite(btf, path.string(), progress));
+  return btf;
+}
+
+Result<Btf> load_factored(const fs::path& path, const fs::path& output, Progress* progress) {
+  VAMP_TRY(const FactoredBtf factored, read_factored_btf(path));
+  VAMP_TRY(Btf btf, make_btf(factored.info, output));
+  VAMP_CHECK_STATUS(decode(factored, btf, path.string(), progress));
+  return btf;
+}
+
+Result<Btf> load_images(const ImageSet& images, const LoadBtfOptions& options, Progress* progress) {
+  VAMP_TRY(BtfInfo info, info_of(images));
+  VAMP_TRY(Btf btf, make_btf(std::move(info), options.output));
+  VAMP_CHECK_STATUS(read_images(images, btf, options.curve, progress));
+  return btf;
+}
+
+Result<Btf> load_any(const fs::path& path, BtfFormat format, const LoadBtfOptions& options, Progress* progress) {
+  switch (format) {
+    case BtfFormat::bdi:
+      return load_bdi(path, options.output, progress);
+    case BtfFormat::fmf:
+    case BtfFormat::dfmf:
+      return load_factored(path, options.output, progress);
+    case BtfFormat::images: {
+      VAMP_TRY(const ImageSet images, find_images(path));
+      return load_images(images, options, progress);
+    }
+    case BtfFormat::light_list: {
+      VAMP_TRY(const ImageSet images, read_light_list(path));
+      return load_images(images, options, progress);
+    }
+    case BtfFormat::ptm:
+      break;
+  }
+  VAMP_TRY(const Ptm ptm, read_ptm(path));
+  VAMP_TRY(Btf btf, make_btf(info_of(ptm, ubo81()), options.output));
+  decode(ptm, btf, options.curve);
+  return btf;
+}
+
+}  // namespace
+
+std::string name_of(BtfFormat format) {
+  constexpr const char* kNames[] = {"Bonn BDI",
+                                    "Bonn FMF",
+                                    "Bonn DFMF",
+                                    "folder of pictures",
+                                    "photographs under known lights",
+                                    "polynomial texture map"};
+  return kNames[static_cast<size_t>(format)];
+}
+
+Result<BtfFormat> btf_format(const fs::path& path) {
+  std::error_code code;
+  if (fs::is_directory(path, code)) return BtfFormat::images;
+  if (!fs::exists(path, code))
+    return fail(ErrorKind::bad_input, path.string(), "", "a file or folder", "nothing there");
+  std::array<char, 16> first{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(first.data(), first.size());
+  const std::string_view start(first.data(), static_cast<size_t>(stream.gcount()));
+  if (start.starts_with("!BDIF")) return BtfFormat::bdi;
+  if (start.starts_with("!DFMF")) return BtfFormat::dfmf;
+  if (start.starts_with("!FMF")) return BtfFormat::fmf;
+  if (start.starts_with("PTM_")) return BtfFormat::ptm;
+  if (path.extension() == ".lp") return BtfFormat::light_list;
+  return fail(ErrorKind::bad_input, path.string(), "byte 0", "a BTF: Bonn .btf, .ptm, .lp or a folder of pictures",
+              start.starts_with("!PVF") ? "Bonn PVF, which is not read" : "another kind of file");
+}
+
+Result<Btf> make_btf(BtfInfo info, const fs::path& output) {
+  if (!output.empty()) return Btf::create(output, std::move(info));
+  if (info.texel_count() * info.values_per_texel() * sizeof(Half) < kMostInMemory)
+    return Btf::in_memory(std::move(info));
+  // The map holds on to the file after its name is gone, and the room is free again whatever becomes of this program.
+  static std::atomic<unsigned> counter{0};
+  std::error_code code;
+  const fs::path path = fs::temp_directory_path(code) / fmt::format("vamp-{}-{}.btf", ::getpid(), counter++);
+  VAMP_TRY(Btf btf, Btf::create(path, std::move(info)));
+  fs::remove(path, code);
+  return btf;
+}
+
+Status check_finite(const Btf& btf, std::string_view file, Progress* progress) {
+  if (progress != nullptr) progress->stage("Looking through the values");
+  for (size_t t = 0; t < btf.texel_count(); ++t) {
+    const auto values = btf.texel(t);
+    if (const auto bad = std::ranges::find_if_not(values, is_finite); bad != values.end()) {
+      const auto direction = static_cast<size_t>(bad - values.begin()) / 3;
+      return fail(ErrorKind::bad_input, file, place_of(btf.info(), t, direction), "a finite value", "none");
+    }
+    btf.forget(t, 1);
+    if (progress != nullptr && progress->cancelled()) return JobQueue::cancelled_error();
+  }
+  return {};
+}
+
+Result<Btf> load_btf(const fs::path& path, const LoadBtfOptions& options, Progress* progress) {
+  VAMP_TRY(const BtfFormat format, btf_format(path));
+  auto loaded = load_any(path, format, options, progress);
+  // What a failure or the user stopped halfway is not left behind as a whole file.
+  std::error_code code;
+  if (!loaded && !options.output.empty()) fs::remove(options.output, code);
+  return loaded;
+}
+
+}  // namespace vamp
