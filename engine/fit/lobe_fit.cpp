@@ -124,10 +124,10 @@ LobeLibrary make_lobe_library(const Pairs& pairs, const std::vector<float>& root
   return library;
 }
 
-std::vector<Basis> fit_lobes(const Pairs& pairs, const std::vector<float>& roots, const LobeLibrary& library,
-                             const LobeLimits& limits, const float* texel, const LobeFitOptions& options,
-                             std::vector<Basis> bases) {
-  VariableProjection projection({&pairs, roots.data(), {texel}, 3, {}}, limits);
+LobeFit fit_lobes(const Pairs& pairs, const std::vector<float>& roots, const LobeLibrary& library,
+                  const LobeLimits& limits, const float* texel, const LobeFitOptions& options,
+                  std::vector<Basis> bases) {
+  VariableProjection projection({&pairs, roots.data(), {texel}, 3}, limits);
   double error = projection.evaluate(bases);
   if (!bases.empty()) {
     error = projection.improve(bases, 0, 8);
@@ -154,9 +154,9 @@ std::vector<Basis> fit_lobes(const Pairs& pairs, const std::vector<float>& roots
     error = projection.evaluate(bases);
     if (std::sqrt(error) > (1 - options.min_gain) * std::sqrt(before)) break;
   }
-  projection.improve(bases, 0, 25);
+  error = projection.improve(bases, 0, 25);
   drop_dead(bases, projection.weights());
-  return bases;
+  return {std::move(bases), projection.square() > 0 ? std::sqrt(error / projection.square()) : 0};
 }
 
 }  // namespace vamp::fit

@@ -21,10 +21,15 @@ struct LobeFitOptions {
   size_t candidates = 4;    // models whose best atom is refined before one is chosen
 };
 
+struct LobeFit {
+  std::vector<Basis> bases;
+  double relative_error = 0;  // relative RMSE
+};
+
 // Lobes of a texel (three rows as Measurement::read gives them), best fit last changed jointly; `start` are lobes to
 // begin with.
-std::vector<Basis> fit_lobes(const Pairs& pairs, const std::vector<float>& roots, const LobeLibrary& library,
-                             const LobeLimits& limits, const float* texel, const LobeFitOptions& options,
-                             std::vector<Basis> start = {});
+LobeFit fit_lobes(const Pairs& pairs, const std::vector<float>& roots, const LobeLibrary& library,
+                  const LobeLimits& limits, const float* texel, const LobeFitOptions& options,
+                  std::vector<Basis> start = {});
 
 }  // namespace vamp::fit

@@ -24,6 +24,7 @@ struct Parameter {
 struct VariableProjection::State {
   LobeTargets targets;
   LobeLimits limits;
+  std::vector<std::vector<int>> supports;  // a texel; empty: all bases
   size_t pairs = 0, rows = 0;
   std::vector<float> y;  // all rows, one after another
   double square = 0;
@@ -52,7 +53,7 @@ double VariableProjection::State::solve(size_t bases) {
   double error = square;
   for (size_t r = 0; r < rows; ++r) {
     const size_t texel = r / targets.channels;
-    const std::vector<int>& support = targets.supports.empty() ? all : targets.supports[texel];
+    const std::vector<int>& support = supports.empty() ? all : supports[texel];
     double* a = weights.data() + r * bases;
     nnls.solve(support, cross.data() + r * bases, a);
     for (const int j : nnls.passive()) error -= a[j] * cross[r * bases + static_cast<size_t>(j)];
@@ -164,6 +165,7 @@ VariableProjection::VariableProjection(const LobeTargets& targets, const LobeLim
 VariableProjection::~VariableProjection() = default;
 
 const std::vector<double>& VariableProjection::weights() const { return state_->weights; }
+void VariableProjection::restrict_to(std::vector<std::vector<int>> supports) { state_->supports = std::move(supports); }
 double VariableProjection::square() const { return state_->square; }
 double VariableProjection::evaluate(const std::vector<Basis>& bases) { return state_->look_at(bases, 0); }
 

@@ -17,14 +17,15 @@ struct LobeTargets {
   const float* roots = nullptr;  // one a pair
   std::vector<const float*> texels;
   size_t channels = 3;
-  // Which bases each texel may use; empty: all of them.
-  std::vector<std::vector<int>> supports;
 };
 
 class VariableProjection {
  public:
   VariableProjection(const LobeTargets& targets, const LobeLimits& limits);
   ~VariableProjection();
+
+  // Which bases each texel may use from now on; all of them to begin with.
+  void restrict_to(std::vector<std::vector<int>> supports);
 
   // Squared error of these bases at the best weights.
   double evaluate(const std::vector<Basis>& bases);

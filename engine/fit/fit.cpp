@@ -1,0 +1,247 @@
+#include "engine/fit/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "engine/brdf/registry.h"
+#include "engine/core/jobs.h"
+#include "engine/fit/bake.h"
+#include "engine/fit/dictionary.h"
+#include "engine/fit/names.h"
+
+namespace vamp::fit {
+namespace {
+
+// Functions a texel may use while lobes are looked for.
+constexpr size_t kLobesOfATexel = 8, kFunctionsWhileRefining = 5;
+
+// The stages of a fit and what they took.
+class Stages {
+ public:
+  explicit Stages(FitReport& report) : report_(report) {}
+  void done(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    report_.seconds.emplace_back(name, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  FitReport& report_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+Status check(const Btf& btf, const FitOptions& options) {
+  const BtfInfo& info = btf.info();
+  const auto refuse = [&](std::string_view place, std::string_view expected, std::string_view found) {
+    return fail(ErrorKind::bad_input, info.name, place, expected, found);
+  };
+  if (info.colour != BtfColour::rec709)
+    return refuse("colour", "reflectance in red, green and blue, which functions can stand for", "signed logarithms");
+  if (info.views.size() < 4 || info.lights.size() < 4)
+    return refuse("directions", "at least 4 views and 4 lights",
+                  fmt::format("{} and {}", info.views.size(), info.lights.size()));
+  if (std::max(info.width, info.height) > static_cast<uint32_t>(kMaxTexelSide))
+    return refuse("size", fmt::format("at most {} texels a side", kMaxTexelSide),
+                  fmt::format("{} x {}", info.width, info.height));
+  const auto range = [](std::string_view option, int value, int low, int high) -> Status {
+    if (value >= low && value <= high) return {};
+    return fail(ErrorKind::usage, "", option, fmt::format("{} to {}", low, high), std::to_string(value));
+  };
+  VAMP_CHECK_STATUS(range("--clusters", options.clusters, 1, kMaxClusters));
+  VAMP_CHECK_STATUS(range("--representatives", options.representatives, 1, 64));
+  VAMP_CHECK_STATUS(range("--functions", options.functions, 1, 64));
+  VAMP_CHECK_STATUS(range("--pca", options.terms, -1, kMaxResidualTerms));
+  return range("--bases", options.bases, 1, 1024);
+}
+
+// Only what is measured under the same directions on both sides has a residual table.
+bool can_have_residual(const Measurement& measurement) {
+  const Pairs& pairs = measurement.pairs();
+  return pairs.views == pairs.lights && pairs.views.size() <= static_cast<size_t>(kMaxDirections);
+}
+
+Exemplars exemplars_of(const Measurement& measurement, const std::vector<Representative>& representatives,
+                       const LobeLimits& limits) {
+  Exemplars exemplars{&measurement.pairs(), &measurement.roots(), limits,
+                      Rows(representatives.size(), measurement.values())};
+  for (size_t i = 0; i < representatives.size(); ++i) {
+    float* row = exemplars.rows.row(i);
+    measurement.read(representatives[i].texel, row);
+    const auto root = static_cast<float>(std::sqrt(static_cast<double>(representatives[i].stands_for)));
+    for (size_t k = 0; k < exemplars.rows.length; ++k) row[k] *= root;
+  }
+  return exemplars;
+}
+
+// Lobes of every representative.
+std::vector<std::vector<Basis>> lobes_of(const Exemplars& exemplars, const Worker& worker, FitReport& report) {
+  worker.stage("Fitting lobes");
+  const LobeLibrary library = make_lobe_library(*exemplars.pairs, *exemplars.roots, exemplars.limits);
+  LobeFitOptions options;
+  options.max_lobes = kLobesOfATexel;
+  std::vector<std::vector<Basis>> found(exemplars.rows.count);
+  std::vector<double> errors(found.size());
+  worker.each(found.size(), [&](size_t i) {
+    const LobeFit fit =
+        fit_lobes(*exemplars.pairs, *exemplars.roots, library, exemplars.limits, exemplars.rows.row(i), options);
+    found[i] = fit.bases;
+    errors[i] = fit.relative_error;
+  });
+  report.representative_error =
+      std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(std::max<size_t>(errors.size(), 1));
+  return found;
+}
+
+struct Dictionary {
+  std::vector<Basis> bases;
+  std::vector<std::vector<int>> allowed;  // a cluster; empty: all
+};
+
+Exemplars part_of(const Exemplars& exemplars, const std::vector<size_t>& rows) {
+  Exemplars part{exemplars.pairs, exemplars.roots, exemplars.limits, Rows(rows.size(), exemplars.rows.length)};
+  for (size_t i = 0; i < rows.size(); ++i)
+    std::copy_n(exemplars.rows.row(rows[i]), exemplars.rows.length, part.rows.row(i));
+  return part;
+}
+
+Dictionary make_dictionary(const Exemplars& exemplars, const std::vector<Representative>& representatives,
+                           size_t clusters, const FitOptions& options, const Worker& worker, FitReport& report) {
+  const std::vector<std::vector<Basis>> lobes = lobes_of(exemplars, worker, report);
+  DictionaryOptions choice;
+  choice.bases = static_cast<size_t>(options.bases);
+  choice.functions = std::min(kFunctionsWhileRefining, static_cast<size_t>(options.functions));
+  Dictionary dictionary;
+  const auto add = [&](const std::vector<size_t>& rows) {
+    std::vector<Basis> candidates = {{"", default_lobe(Model::lambert), {0, 0, 1}, 0}};
+    for (const size_t i : rows) candidates.insert(candidates.end(), lobes[i].begin(), lobes[i].end());
+    const Exemplars part = part_of(exemplars, rows);
+    candidates = without_repeats(candidates, part, choice.guard);
+    report.candidates += static_cast<int>(candidates.size());
+    std::vector<Basis> chosen = choose_dictionary(candidates, part, choice, worker);
+    std::vector<int> places(chosen.size());
+    std::iota(places.begin(), places.end(), static_cast<int>(dictionary.bases.size()));
+    dictionary.allowed.push_back(places);
+    dictionary.bases.insert(dictionary.bases.end(), chosen.begin(), chosen.end());
+  };
+  if (options.per_cluster) {
+    std::vector<std::vector<size_t>> rows(clusters);
+    for (size_t i = 0; i < representatives.size(); ++i) rows[representatives[i].cluster].push_back(i);
+    for (const auto& each : rows) add(each);
+  } else {
+    std::vector<size_t> all(representatives.size());
+    std::iota(all.begin(), all.end(), size_t{0});
+    add(all);
+    dictionary.allowed.clear();
+  }
+  return dictionary;
+}
+
+std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Design& design, const FitOptions& options,
+                                double square, FitReport& report) {
+  const double fullest = error_of(codes, counts_at(codes, 0));
+  report.all_functions_error = std::sqrt(fullest / square);
+  const double wanted = options.error > 0 ? options.error * options.error * square
+                                          : fullest * (1 + options.slack) * (1 + options.slack) + 1e-12 * square;
+  const std::vector<size_t> counts = counts_at(codes, price_for(codes, wanted));
+  std::vector<TexelWeights> weights(codes.size());
+  report.histogram.assign(static_cast<size_t>(options.functions) + 1, 0);
+  size_t total = 0;
+  for (size_t t = 0; t < codes.size(); ++t) {
+    const auto& order = codes[t].path.order;
+    weights[t].bases.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(counts[t]));
+    weights[t].weights = weights_of(codes[t], counts[t], design.gram, design.columns.count);
+    for (float& weight : weights[t].weights) weight = stored(weight);
+    total += counts[t];
+    ++report.histogram[counts[t]];
+  }
+  report.functions_per_texel = static_cast<double>(total) / static_cast<double>(codes.size());
+  return weights;
+}
+
+// Mean colour of each cluster's functions: what its texels reflect of light from everywhere.
+std::vector<vec3> cluster_colours(const std::vector<TexelWeights>& weights, const Clustering& clustering) {
+  std::vector<dvec3> sums(clustering.count, dvec3(0));
+  std::vector<double> counts(clustering.count);
+  for (size_t t = 0; t < weights.size(); ++t) {
+    counts[clustering.of[t]] += 1;
+    for (size_t i = 0; i < weights[t].bases.size(); ++i) {
+      const float* w = weights[t].weights.data() + i * kChannels;
+      sums[clustering.of[t]] += dvec3(double{w[0]}, double{w[1]}, double{w[2]});
+    }
+  }
+  std::vector<vec3> colours;
+  for (size_t c = 0; c < sums.size(); ++c) colours.emplace_back(sums[c] / std::max(counts[c], 1.0));
+  return colours;
+}
+
+}  // namespace
+
+Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* progress) {
+  VAMP_CHECK_STATUS(check(btf, options));
+  FitResult result;
+  FitReport& report = result.report;
+  Stages stages(report);
+  Worker worker{options.threads, progress};
+  if (worker.threads <= 0) worker.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const Measurement measurement(btf, 0.5, options.left_out);
+  const LobeLimits limits = LobeLimits::for_spacing(measurement.spacing());
+  const auto stopped = [&] { return worker.cancelled(); };
+
+  const Coordinates found = find_coordinates(measurement, {.seed = options.seed}, worker);
+  report.square = found.square;
+  stages.done("coordinates");
+  if (stopped()) return JobQueue::cancelled_error();
+  if (!(found.square > 0) || found.coordinates.length == 0)
+    return fail(ErrorKind::bad_input, btf.info().name, "", "a material that reflects light", "zeros");
+
+  worker.stage("Grouping texels that look alike");
+  Clustering clustering = k_means(found.coordinates, static_cast<size_t>(options.clusters), options.seed, worker);
+  const std::vector<Representative> representatives = find_representatives(
+      found.coordinates, clustering, static_cast<size_t>(options.representatives), options.seed, worker);
+  report.representatives = static_cast<int>(representatives.size());
+  stages.done("clusters");
+  if (stopped()) return JobQueue::cancelled_error();
+
+  const Exemplars exemplars = exemplars_of(measurement, representatives, limits);
+  const Dictionary dictionary = make_dictionary(exemplars, representatives, clustering.count, options, worker, report);
+  stages.done("dictionary");
+  if (stopped()) return JobQueue::cancelled_error();
+
+  const Design design = make_design(dictionary.bases, measurement);
+  const Coder coder = options.weights == Weights::elimination   ? Coder::elimination
+                      : options.weights == Weights::group_lasso ? Coder::group_lasso
+                                                                : Coder::stagewise_lasso;
+  const std::vector<TexelCode> codes = code_texels(measurement, design, {dictionary.allowed, &clustering.of}, coder,
+                                                   static_cast<size_t>(options.functions), worker);
+  if (stopped()) return JobQueue::cancelled_error();
+  const std::vector<TexelWeights> weights = weigh(codes, design, options, found.square, report);
+  stages.done("weights");
+
+  const bool with_residual = options.terms >= 0 && can_have_residual(measurement);
+  const size_t terms = with_residual ? static_cast<size_t>(options.terms) : 0;
+  ResidualFit residual;
+  if (with_residual) {
+    const Rows left = residual_coordinates(found, design, weights);
+    // Clusters share a residual: from those that look alike on to those that leave alike.
+    if (!options.per_cluster) fit_subspaces(left, terms, 15, worker, clustering);
+    residual = fit_residual(measurement, design, weights, left, clustering, terms, worker);
+    for (size_t i = 0; i < terms + 2; ++i)
+      report.errors.push_back(std::sqrt(std::max(residual.errors[i], 0.0) / found.square));
+    stages.done("residual");
+    if (stopped()) return JobQueue::cancelled_error();
+  }
+
+  result.spmm = bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms);
+  for (const Basis& basis : dictionary.bases) report.filler.push_back(is_filler(basis, limits));
+  name_functions(result.spmm.dictionary, limits);
+  result.spmm.clusters = name_clusters(cluster_colours(weights, clustering));
+  VAMP_CHECK_STATUS(validate(result.spmm, btf.info().name));
+  return result;
+}
+
+}  // namespace vamp::fit
