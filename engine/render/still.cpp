@@ -69,6 +69,29 @@ void put_layer(Layer layer, const float* centre, const float* place, const float
   }
 }
 
+// How many samples of every pixel `options.seconds` allow. All regions must end with the same number, or the picture's
+// job could not be rendered again, so a first look at each of them says what the whole picture costs. The look counts
+// against the time; its samples are thrown away.
+uint32_t samples_in_time(gpu::Device& device, Renderer& renderer, const std::vector<Region>& regions,
+                         const StillOptions& options, const Progress* progress) {
+  // The first sample of a stored hit costs more than the others.
+  uint32_t looks = std::min<uint32_t>(SAMPLES_PER_HIT, options.samples);
+  const Clock::time_point start = Clock::now();
+  for (const Region& region : regions) {
+    renderer.set_region(options.width, options.height, region);
+    while (renderer.samples() < looks) {
+      device.wait(renderer.refine_all(options.samples));
+      if (progress != nullptr && progress->cancelled()) return 1;
+      // Where the time is short, a rough figure is the better use of it.
+      const bool first = &region == &regions.front() && renderer.samples() == 1;
+      if (first && seconds_since(start) * static_cast<double>(regions.size()) > options.seconds / 16) looks = 1;
+    }
+  }
+  const double spent = seconds_since(start);
+  const double fits = (options.seconds - spent) / spent * looks;
+  return static_cast<uint32_t>(std::clamp(fits, 1.0, static_cast<double>(options.samples)));
+}
+
 }  // namespace
 
 Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> project, const StillOptions& options,
@@ -91,6 +114,9 @@ Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> p
   Renderer renderer(device);
   VAMP_CHECK_STATUS(renderer.set_project(project));
   const std::vector<Region> regions = regions_of(options.width, options.height);
+  const bool by_time = options.seconds > 0;
+  const uint32_t samples =
+      by_time && regions.size() > 1 ? samples_in_time(device, renderer, regions, options, progress) : options.samples;
   std::vector<double> ms_per_sample;
   double done_pixels = 0;
   const double all_pixels = static_cast<double>(options.width) * options.height;
@@ -100,15 +126,15 @@ Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> p
     const double share = static_cast<double>(region.width) * region.height / all_pixels;
     const Clock::time_point start = Clock::now();
     uint64_t value = 0;
-    while (renderer.samples() < options.samples) {
+    while (renderer.samples() < samples) {
       const uint32_t before = renderer.samples();
       const Clock::time_point batch = Clock::now();
-      value = renderer.refine_all(options.samples);
+      value = renderer.refine_all(samples);
       device.wait(value);
       ms_per_sample.push_back(1e3 * seconds_since(batch) / (renderer.samples() - before) / share);
-      const float part = static_cast<float>(renderer.samples()) / static_cast<float>(options.samples);
+      const float part = static_cast<float>(renderer.samples()) / static_cast<float>(samples);
       if (progress != nullptr) progress->fraction(static_cast<float>(done_pixels) + static_cast<float>(share) * part);
-      const bool out_of_time = options.seconds > 0 && seconds_since(start) >= options.seconds * share;
+      const bool out_of_time = by_time && regions.size() == 1 && seconds_since(start) >= options.seconds;
       if (out_of_time || (progress != nullptr && progress->cancelled())) break;
     }
     still.seconds += seconds_since(start);

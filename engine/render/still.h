@@ -21,7 +21,7 @@ inline constexpr const char* kLayerNames[] = {"depth", "normal", "uv", "part", "
 struct StillOptions {
   int width = 1280, height = 960;  // 1 to 16384 a side
   uint32_t samples = 64;           // of every pixel
-  double seconds = 0;              // stops earlier when over 0
+  double seconds = 0;              // stops earlier when over 0, all pixels at the same number of samples
   std::vector<Layer> layers;
 };
 

@@ -129,6 +129,16 @@ TEST_F(Render, TimeAloneEndsTheWork) {
   EXPECT_EQ(ended.json()["complete"], true);
 }
 
+// Wider than a region: two of them share the time, and must end with the same number of samples.
+TEST_F(Render, WhatEndedByItsTimeIsRenderedAgainFromItself) {
+  const Ended first = render({"-o", "a.png", "--size", "1030x40", "--time", "0.4", "--json"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  const Ended again = render({"--from", "a.png", "-o", "b.png", "--json"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(first.json()["samples"], again.json()["samples"]);
+  EXPECT_EQ(picture("a.png").pixels, picture("b.png").pixels);
+}
+
 TEST_F(Render, AFullDiskEndsInOneLineAndFour) {
   fs::create_symlink("/dev/full", folder / "full.png");
   const Ended ended = render({"-o", "full.png", "--log-level", "warn"});
