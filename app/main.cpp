@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   CommonOptions common;
   Action action;
   std::string file;
-  add_common_options(app, common, action);
+  add_common_options(app, common);
   app.add_option("file", file, "Model or project to open in the editor");
   add_edit(app, common, action);
   add_render(app, common, action);
@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
     return say(
         {ErrorKind::usage, "", app.get_subcommands().front()->get_name(), "no further argument", "\"" + file + "\""});
   start_log(common.log_level);
+  if (common.list_devices) action = print_devices;
   if (!action) action = [&] { return edit_file(file, common); };
   const Status status = run(action);
   return status ? 0 : say(status.error());

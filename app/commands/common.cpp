@@ -19,6 +19,8 @@ std::string version_text() {
                      VK_API_VERSION_MINOR(kHeaders), VK_API_VERSION_PATCH(kHeaders));
 }
 
+}  // namespace
+
 Status print_devices() {
   VAMP_TRY(const auto devices, gpu::list_devices());
   for (const gpu::DeviceInfo& device : devices)
@@ -27,12 +29,9 @@ Status print_devices() {
   return {};
 }
 
-}  // namespace
-
-void add_common_options(CLI::App& app, CommonOptions& options, Action& action) {
+void add_common_options(CLI::App& app, CommonOptions& options) {
   app.set_version_flag("--version", version_text());
-  app.add_flag_callback(
-      "--list-devices", [&action] { action = print_devices; }, "List the Vulkan devices and stop");
+  app.add_flag("--list-devices", options.list_devices, "List the Vulkan devices and stop");
   app.add_option("--device", options.device, "Vulkan device: a number of --list-devices or part of a name")
       ->type_name("DEVICE");
   app.add_flag("--validate", options.validate, "Turn on Vulkan's validation layer");

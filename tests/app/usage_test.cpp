@@ -151,6 +151,17 @@ TEST_F(Usage, DevicesAreListed) {
   EXPECT_THAT(ended.out, StartsWith("0: "));
 }
 
+TEST_F(Usage, DevicesAreListedInsteadOfWhatAVerbDoes) {
+  for (const bool before : {true, false}) {
+    std::vector<std::string> arguments = {"render", box_on_floor(), "-o", "x.png"};
+    arguments.insert(before ? arguments.begin() : arguments.end(), "--list-devices");
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_THAT(ended.out, StartsWith("0: "));
+    EXPECT_FALSE(fs::exists(folder / "x.png"));
+  }
+}
+
 TEST_F(Usage, AFullDiskUnderStandardOutputIsAnError) {
   box_on_floor();
   output = "/dev/full";
