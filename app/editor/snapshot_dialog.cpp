@@ -70,9 +70,13 @@ void SnapshotDialog::open(std::shared_ptr<const Project> project, int viewport_w
   if (path_.empty()) {
     const fs::path stem = project_->model.stem();
     std::error_code code;  // the current folder may be gone: a relative path has to do then
-    path_ = fs::current_path(code) / ((stem.empty() ? "picture" : stem.string()) + ".png");
+    const fs::path folder = fs::current_path(code);
+    const std::string name = stem.empty() ? "picture" : stem.string();
+    path_ = folder / (name + ".png");
+    for (int i = 2; fs::exists(path_, code); ++i) path_ = folder / fmt::format("{} {}.png", name, i);
   }
   problem_.clear();
+  replaces_.clear();
   open_ = true;
 }
 
@@ -161,6 +165,16 @@ void SnapshotDialog::draw_file() {
   }
 }
 
+// Whether the picture can go where it is meant to go; a file that is there already is asked about once.
+bool SnapshotDialog::may_write() {
+  const Status sound = check_snapshot(path_, {});
+  std::error_code code;
+  const bool asks = sound && replaces_ != path_ && fs::exists(path_, code);
+  if (asks) replaces_ = path_;
+  problem_ = !sound ? sound.error().message() : asks ? path_.filename().string() + " is there already." : "";
+  return problem_.empty();
+}
+
 void SnapshotDialog::draw() {
   if (!ui::begin_dialog("Export snapshot", open_, 520)) return;
   draw_size();
@@ -174,7 +188,7 @@ void SnapshotDialog::draw() {
   }
   ui::gap(4);
   const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::IsAnyItemActive();
-  const bool go = ui::primary_button("Export", ui::px(96)) || enter;
+  const bool go = ui::primary_button(replaces_ == path_ ? "Replace it" : "Export", ui::px(96)) || enter;
   ImGui::SameLine();
   if (ImGui::Button("Choose file…", ImVec2(0, ui::px(28)))) {
     ImGui::CloseCurrentPopup();
@@ -186,18 +200,15 @@ void SnapshotDialog::draw() {
     request.name = path_.filename().string();
     request.extensions = {path_.extension().string()};
     request.done = [this](const fs::path& path) {
-      path_ = path;
+      path_ = replaces_ = path;  // the file dialog has asked
+      problem_.clear();
       open_ = true;
     };
     files_.open(std::move(request));
   }
   ImGui::SameLine();
   if (ImGui::Button("Cancel", ImVec2(ui::px(84), ui::px(28)))) open_ = false;
-  if (go) {
-    const Status sound = check_snapshot(path_, {});
-    problem_ = sound ? "" : sound.error().message();
-    if (sound) open_ = false;
-  }
+  if (go && may_write()) open_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
   ui::end_dialog();
   if (go && !open_) start();

@@ -37,6 +37,7 @@ class SnapshotDialog {
   void draw_size();
   void draw_quality();
   void draw_file();
+  bool may_write();
   std::filesystem::path path_with_extension(std::filesystem::path path) const;
 
   gpu::Device& device_;
@@ -53,6 +54,7 @@ class SnapshotDialog {
   bool by_time_ = false, transparent_ = false;
   Format format_ = Format::png8;
   std::filesystem::path path_;
+  std::filesystem::path replaces_;  // the user agreed to write over this file
   std::string problem_;
 };
 
