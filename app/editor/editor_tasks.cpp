@@ -99,9 +99,12 @@ Status Editor::record_exit() {
   if (!session_) return fail(ErrorKind::failed, file, "", "a picture to record", "none was rendered");
   session_->pause(false);
   const auto until = Clock::now() + std::chrono::minutes(5);
-  while (!session_->status().finished) {
-    if (const std::string error = session_->status().error; !error.empty())
-      return fail(ErrorKind::failed, file, "", "a picture", error);
+  const auto done = [this](const RenderStatus& status) {
+    return status.finished && status.project == document_.project() && status.width == viewport_width_ &&
+           status.height == viewport_height_;
+  };
+  for (RenderStatus status = session_->status(); !done(status); status = session_->status()) {
+    if (!status.error.empty()) return fail(ErrorKind::failed, file, "", "a picture", status.error);
     if (Clock::now() > until)
       return fail(ErrorKind::failed, file, "", "a picture that is refined to its last sample within 5 minutes");
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -209,6 +209,7 @@ class RenderSession::Impl {
     }
     finished_ = renderer_.region().width > 0 && renderer_.samples() >= project->settings.max_samples;
     const std::lock_guard lock(mutex_);
+    status_.project = std::move(project);
     status_.error.clear();
     status_.finished = finished_;
     if (change->bytes > 0) status_.bytes_uploaded = change->bytes;

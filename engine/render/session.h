@@ -26,7 +26,8 @@ struct RenderStatus {
   uint64_t bytes_uploaded = 0;  // by the last edit
   uint64_t gpu_bytes = 0;
   double mrays_per_second = 0;
-  bool finished = false;  // max_samples reached
+  bool finished = false;                   // max_samples reached
+  std::shared_ptr<const Project> project;  // that the picture is of: the last one that was taken over
   std::string device;
   std::string error;  // a lost device: the session has stopped, the document is safe
 };

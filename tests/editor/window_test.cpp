@@ -120,6 +120,21 @@ TEST_F(Window, ShowsAfterAnEditWhatAFreshRenderShows) {
   EXPECT_EQ(shown->pixels, fresh->pixels);
 }
 
+// The view turns and the editor ends in the same breath, before the renderer has seen the new view.
+TEST_F(Window, RecordsTheLastChangeEvenWhenTheEditorEndsAtOnce) {
+  EditorRun editor(display(), home(), {"--record-exit", (home() / "shown.exr").string(), document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  editor.click(554, 420);  // the arrow keys are the picture's now
+  editor.key("--delay 0 Left Left Left ctrl+q");
+  ASSERT_EQ(editor.wait_for_end(), 0) << editor.log();
+  int code = 0;
+  const std::string said = vamp("render --from shown.exr -o fresh.exr", &code);
+  ASSERT_EQ(code, 0) << said;
+  const auto shown = load_image(home() / "shown.exr"), fresh = load_image(home() / "fresh.exr");
+  ASSERT_TRUE(shown && fresh);
+  EXPECT_EQ(shown->pixels, fresh->pixels);
+}
+
 TEST_F(Window, UndoBringsBackWhatWasThere) {
   const std::string before = read_text(document(), 1 << 24).value_or("");
   EditorRun editor(display(), home(), {document().string()});
@@ -200,6 +215,31 @@ TEST_F(Window, ExportsASnapshotThatCanBeRenderedAgain) {
   const auto first = load_image(snapshot), again = load_image(home() / "again.png");
   ASSERT_TRUE(first && again);
   EXPECT_EQ(first->pixels, again->pixels);
+}
+
+TEST_F(Window, AsksBeforeAnotherPictureIsReplaced) {
+  EditorRun editor(display(), home(), {document().string()}, 820, 480);
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  ASSERT_TRUE(write_text_atomically(home() / "boxes.png", "somebody's picture"));
+  const auto size = [&] { return fs::file_size(home() / "boxes.png"); };
+  const auto type_the_name = [&] {
+    editor.key("F12");
+    editor.click(410, 318);  // the row of the file
+    editor.key("ctrl+a");
+    editor.type((home() / "boxes.png").string());
+    editor.key("Return");  // ends the typing
+  };
+  editor.move(320, 240);
+  type_the_name();
+  editor.key("Return");
+  editor.key("Escape");
+  EXPECT_EQ(size(), 18u);
+  type_the_name();
+  editor.key("Return");
+  editor.key("Return");
+  EXPECT_TRUE(wait_until([&] { return size() > 18u; })) << editor.log();
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
 }
 
 TEST_F(Window, OpensAnotherFileByItsTypedPath) {
