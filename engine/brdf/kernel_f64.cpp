@@ -17,5 +17,7 @@ real brdf_exp2(real x) { return std::exp2(x); }
 real brdf_expm1(real x) { return std::expm1(x); }
 real brdf_angle(real s, real c) { return std::atan2(s, c); }
 vec2 brdf_unit_circle(real u) { return {std::cos(6.28318530717958648 * u), std::sin(6.28318530717958648 * u)}; }
+real brdf_sum_of_products(real a, real b, real c, real d) { return a * b + c * d; }
+real brdf_sum_of_triple_products(vec3 a, vec3 b, vec3 c) { return a.x * b.x * c.x + a.y * b.y * c.y + a.z * b.z * c.z; }
 #include "engine/brdf/kernel.inc"
 }  // namespace vamp::brdf_f64

@@ -58,7 +58,9 @@ Packing pack_lafortune(uint8_t variant, double ks, double cx, double cy, double 
   if (top == 0) return {LOBE_TAG_LAFORTUNE, {0, 0, 0, n}, 0};
   // An absurd raw peak stays a number.
   const double scale = variant == kLafortuneRaw ? std::min(std::pow(top, n), 1e30) : (n + 2) / (2 * kPi);
-  return {LOBE_TAG_LAFORTUNE, {cx / top, cy / top, cz / top, n}, ks * scale};
+  // Brought near 1 by a power of two, which rounds nothing: the kernel divides by the largest itself.
+  const double unit = std::exp2(std::floor(std::log2(top)));
+  return {LOBE_TAG_LAFORTUNE, {cx / unit, cy / unit, cz / unit, n}, ks * scale};
 }
 
 Packing pack_ashikhmin_shirley(uint8_t variant, double rs, double rd, double nu, double nv) {

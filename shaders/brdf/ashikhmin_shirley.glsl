@@ -24,7 +24,7 @@ real ashikhmin_shirley_eval(int variant, real rs, real rd, real nu, real nv, vec
   if (variant != 1) {
     real norm = sqrt((nu + REAL(1.0)) * (nv + REAL(1.0))) / (REAL(8.0) * BRDF_PI);
     real cosines = min(h.iz / h.oz, REAL(1.0)) / max(h.oh, REAL(1e-12));  // iz / max(iz, oz) / oh
-    value = norm * ashikhmin_shirley_power(nu, nv, h) * brdf_schlick(rs, h.oh) * cosines;
+    value = norm * ashikhmin_shirley_power(nu, nv, h) * brdf_schlick(rs, h.loss) * cosines;
   }
   if (variant != 0) {
     value += REAL(28.0) / (REAL(23.0) * BRDF_PI) * rd * (REAL(1.0) - rs) * ashikhmin_shirley_fade(h.iz) *
@@ -64,7 +64,7 @@ bool ashikhmin_shirley_sample(int variant, real rs, real rd, real nu, real nv, v
   }
   pdf = ashikhmin_shirley_pdf(variant, nu, nv, wi, wo);
   BrdfHalf h = brdf_half(wi, wo);
-  weight = brdf_schlick(rs, h.oh) * min(h.iz / h.oz, REAL(1.0));
+  weight = brdf_schlick(rs, h.loss) * min(h.iz / h.oz, REAL(1.0));
   if (variant != 0) weight = ashikhmin_shirley_eval(variant, rs, rd, nu, nv, wi, wo) / max(pdf, REAL(1e-37));
   return wi.z > REAL(0.0);
 }

@@ -102,6 +102,49 @@ vec2 brdf_unit_circle(real u) {
   real y = SELECT(swap, c, s);
   return vec2(SELECT(turn == 1 || turn == 2, -x, x), SELECT(turn >= 2, -y, y));
 }
+
+// ---- Sums of products that cancel, with the precision of their result (Ogita, Rump and Oishi 2005, "Accurate sum and dot
+// product"). A rounded sum or product and what the rounding took: Knuth's, and Dekker's with halves of 12 bits.
+vec2 brdf_two_sum(real a, real b) {
+  PRECISE real sum = a + b;
+  PRECISE real part = sum - a;
+  PRECISE real rest = (a - (sum - part)) + (b - part);
+  return vec2(sum, rest);
+}
+
+vec2 brdf_two_product(real a, real b) {
+  real a_high = intBitsToFloat(floatBitsToInt(a) & -4096);
+  real b_high = intBitsToFloat(floatBitsToInt(b) & -4096);
+  PRECISE real a_low = a - a_high;
+  PRECISE real b_low = b - b_high;
+  PRECISE real product = a * b;
+  PRECISE real rest = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+  return vec2(product, rest);
+}
+
+// a b + c d
+real brdf_sum_of_products(real a, real b, real c, real d) {
+  vec2 p = brdf_two_product(a, b);
+  vec2 q = brdf_two_product(c, d);
+  vec2 sum = brdf_two_sum(p.x, q.x);
+  PRECISE real result = sum.x + (sum.y + (p.y + q.y));
+  return result;
+}
+
+// a.x b.x c.x + a.y b.y c.y + a.z b.z c.z
+real brdf_sum_of_triple_products(vec3 a, vec3 b, vec3 c) {
+  vec2 x = brdf_two_product(a.x, b.x);
+  vec2 y = brdf_two_product(a.y, b.y);
+  vec2 z = brdf_two_product(a.z, b.z);
+  vec2 p = brdf_two_product(x.x, c.x);
+  vec2 q = brdf_two_product(y.x, c.y);
+  vec2 r = brdf_two_product(z.x, c.z);
+  vec2 first = brdf_two_sum(p.x, q.x);
+  vec2 sum = brdf_two_sum(first.x, r.x);
+  PRECISE real rest = (p.y + x.y * c.x) + (q.y + y.y * c.y) + (r.y + z.y * c.z);
+  PRECISE real result = sum.x + (sum.y + first.y + rest);
+  return result;
+}
 #endif
 
 // 2^-q, q >= 0, cut to 0 at BRDF_MAX_EXPONENT.
@@ -126,8 +169,18 @@ struct BrdfHalf {
   real x2, y2;  // squares of S
   real z, z2;
   real s2;  // |S|^2
-  real oh;  // cos(wo, h) = cos(wi, h) = |S| / 2
+  real oh;    // cos(wo, h) = cos(wi, h) = |S| / 2
+  real loss;  // 1 - oh
 };
+
+// 1 - cos(wo, h) from oh = cos(wo, h): |wi - wo|^2 / 4 is its square's complement, and does not cancel near the normal,
+// where Schlick's fifth power would make much of a rounding.
+real brdf_cosine_loss(vec3 wi, vec3 wo, real oh) {
+  real x = wi.x - wo.x;
+  real y = wi.y - wo.y;
+  real z = wi.z - wo.z;
+  return REAL(0.25) * (x * x + y * y + z * z) / (REAL(1.0) + oh);
+}
 
 BrdfHalf brdf_half(vec3 wi, vec3 wo) {
   BrdfHalf h;
@@ -141,6 +194,7 @@ BrdfHalf brdf_half(vec3 wi, vec3 wo) {
   h.z2 = h.z * h.z;
   h.s2 = h.x2 + h.y2 + h.z2;
   h.oh = REAL(0.5) * sqrt(h.s2);
+  h.loss = brdf_cosine_loss(wi, wo, h.oh);
   return h;
 }
 
@@ -153,11 +207,10 @@ vec3 brdf_mirror(vec3 wo, real x, real y) {
   return vec3(k * x - wo.x, k * y - wo.y, k - wo.z);
 }
 
-// Schlick 1994, eq. 15; rounding may bring the cosine above 1.
-real brdf_schlick(real f0, real oh) {
-  real x = max(REAL(1.0) - oh, REAL(0.0));
-  real x2 = x * x;
-  return f0 + (REAL(1.0) - f0) * (x2 * x2 * x);
+// Schlick 1994, eq. 15, of the loss 1 - cos.
+real brdf_schlick(real f0, real loss) {
+  real x2 = loss * loss;
+  return f0 + (REAL(1.0) - f0) * (x2 * x2 * loss);
 }
 
 // Unpolarised Fresnel reflection of a dielectric (Cook and Torrance 1982), with k = (ior - 1)(ior + 1) and d = g - c

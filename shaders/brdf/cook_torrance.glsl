@@ -18,9 +18,9 @@ real cook_torrance_scale(int variant) {
 }
 
 // f0_or_ior as the variant says.
-real cook_torrance_fresnel(int variant, real f0_or_ior, real oh) {
-  if (!cook_torrance_is_exact(variant)) return brdf_schlick(f0_or_ior, oh);
-  return brdf_fresnel_exact((f0_or_ior - REAL(1.0)) * (f0_or_ior + REAL(1.0)), min(oh, REAL(1.0)));
+real cook_torrance_fresnel(int variant, real f0_or_ior, BrdfHalf h) {
+  if (!cook_torrance_is_exact(variant)) return brdf_schlick(f0_or_ior, h.loss);
+  return brdf_fresnel_exact((f0_or_ior - REAL(1.0)) * (f0_or_ior + REAL(1.0)), min(h.oh, REAL(1.0)));
 }
 
 real cook_torrance_eval(int variant, real ks, real m, real f0_or_ior, vec3 wi, vec3 wo) {
@@ -30,7 +30,7 @@ real cook_torrance_eval(int variant, real ks, real m, real f0_or_ior, vec3 wi, v
   // D G / oz: (1 + tan^2)^2 min(1 / oz, 2 hz / oh min(1, iz / oz)) with hz / oh = 2 Sz / S^2
   real groove = min(h.s2 / h.oz, REAL(4.0) * h.z * min(h.iz / h.oz, REAL(1.0)));
   real scale = ks * cook_torrance_scale(variant) / (REAL(4.0) * BRDF_PI * m * m);
-  return scale * cook_torrance_fresnel(variant, f0_or_ior, h.oh) * ((e * r) * (h.s2 * r)) * groove;
+  return scale * cook_torrance_fresnel(variant, f0_or_ior, h) * ((e * r) * (h.s2 * r)) * groove;
 }
 
 real cook_torrance_pdf(real m, vec3 wi, vec3 wo) { return ward_pdf(m, m, wi, wo); }
@@ -44,7 +44,7 @@ bool cook_torrance_sample(int variant, real ks, real m, real f0_or_ior, vec3 wo,
   BrdfHalf h = brdf_half(wi, wo);
   // G oh / (oz hz), at most 2 because of the groove
   real groove = min(h.s2 / (REAL(2.0) * h.z * h.oz), REAL(2.0) * min(h.iz / h.oz, REAL(1.0)));
-  weight = ks * cook_torrance_scale(variant) * cook_torrance_fresnel(variant, f0_or_ior, h.oh) * groove;
+  weight = ks * cook_torrance_scale(variant) * cook_torrance_fresnel(variant, f0_or_ior, h) * groove;
   return wi.z > REAL(0.0);
 }
 

@@ -10,36 +10,29 @@
 
 real lafortune_max(real cx, real cy, real cz) { return max(max(abs(cx), abs(cy)), abs(cz)); }
 
-// 1 - sum of c_k i_k o_k for |c_k| <= 1 and unit vectors as half of a sum of squares, which does not cancel at the peak.
-real lafortune_distance(real cx, real cy, real cz, vec3 wi, vec3 wo) {
-  real dx = wi.x - cx * wo.x;
-  real dy = wi.y - cy * wo.y;
-  real dz = wi.z - cz * wo.z;
-  real rest = (REAL(1.0) - cx) * (REAL(1.0) + cx) * (wo.x * wo.x) + (REAL(1.0) - cy) * (REAL(1.0) + cy) * (wo.y * wo.y) +
-              (REAL(1.0) - cz) * (REAL(1.0) + cz) * (wo.z * wo.z);
-  return REAL(0.5) * (dx * dx + dy * dy + dz * dz + rest);
-}
-
-// -log2 of the sum, relative to the vectors' squared length; beyond every exponent where the sum is not positive.
-real lafortune_log2(real cx, real cy, real cz, vec3 wi, vec3 wo) {
-  real x = cx * (wi.x * wo.x) + cy * (wi.y * wo.y) + cz * (wi.z * wo.z);
-  return brdf_log2_ratio(lafortune_distance(cx, cy, cz, wi, wo), max(x, REAL(1e-30)));
+// t L - sum of c_k i_k o_k, where t is the largest |c_k| and L the mean of the vectors' squared lengths: as a sum of
+// t (i -+ o)^2 / 2 +- (t - |c|) i o over the components, which does not cancel at the peak and divides nothing.
+real lafortune_distance(real t, real cx, real cy, real cz, vec3 wi, vec3 wo) {
+  vec3 s = vec3(SELECT(cx < REAL(0.0), REAL(-1.0), REAL(1.0)), SELECT(cy < REAL(0.0), REAL(-1.0), REAL(1.0)),
+                SELECT(cz < REAL(0.0), REAL(-1.0), REAL(1.0)));
+  vec3 o = vec3(s.x * wo.x, s.y * wo.y, s.z * wo.z);
+  vec3 d = vec3(wi.x - o.x, wi.y - o.y, wi.z - o.z);
+  real rest = (t - abs(cx)) * (wi.x * o.x) + (t - abs(cy)) * (wi.y * o.y) + (t - abs(cz)) * (wi.z * o.z);
+  return REAL(0.5) * t * (d.x * d.x + d.y * d.y + d.z * d.z) + rest;
 }
 
 real lafortune_eval(int variant, real ks, real cx, real cy, real cz, real n, vec3 wi, vec3 wo) {
-  real top = lafortune_max(cx, cy, cz);
-  if (top <= REAL(0.0)) return REAL(0.0);
-  real x = cx * (wi.x * wo.x) + cy * (wi.y * wo.y) + cz * (wi.z * wo.z);
-  real q = lafortune_log2(cx / top, cy / top, cz / top, wi, wo);
+  real t = lafortune_max(cx, cy, cz);
+  real x = brdf_sum_of_triple_products(vec3(cx, cy, cz), wo, wi);
+  if (x <= REAL(0.0)) return REAL(0.0);
+  // -log2 of x / t, relative to the vectors' squared length
+  real q = brdf_log2_ratio(lafortune_distance(t, cx, cy, cz, wi, wo), x);
   real iz = max(wi.z, REAL(0.0));
-  real value = ks * (n + REAL(2.0)) / (REAL(2.0) * BRDF_PI) * brdf_falloff(n * q) * iz;
-  if (variant == 0) {
-    // The peak top^n belongs to the exponent: alone it under- or overflows.
-    real exponent = n * (q - brdf_log2(top));
-    value = ks * brdf_exp2(clamp(-exponent, -BRDF_MAX_EXPONENT, BRDF_MAX_EXPONENT)) * iz;
-    if (exponent >= BRDF_MAX_EXPONENT) value = REAL(0.0);
-  }
-  return SELECT(x > REAL(0.0), value, REAL(0.0));
+  if (variant == 1) return ks * (n + REAL(2.0)) / (REAL(2.0) * BRDF_PI) * brdf_falloff(n * q) * iz;
+  // The peak t^n belongs to the exponent: alone it under- or overflows.
+  real exponent = n * (q - brdf_log2(t));
+  real value = ks * brdf_exp2(clamp(-exponent, -BRDF_MAX_EXPONENT, BRDF_MAX_EXPONENT)) * iz;
+  return SELECT(exponent < BRDF_MAX_EXPONENT, value, REAL(0.0));
 }
 
 // A power of a cosine about w = (cx ox, cy oy, cz oz); the plain cosine where w vanishes.

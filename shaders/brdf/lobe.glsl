@@ -75,7 +75,8 @@ real lobe_eval_view(uint tag, vec4 k, vec3 wi, LobeView v) {
       denominator = SELECT(power, max(p2, REAL(1e-30)), z2);
       if (LOBE_NEEDS(LOBE_LAFORTUNE)) {
         real x = k.x * (wi.x * v.wo.x) + k.y * (wi.y * v.wo.y) + k.z * (wi.z * v.wo.z);
-        a = SELECT(lafortune, lafortune_distance(k.x, k.y, k.z, wi, v.wo), p2);
+        real top = lafortune_max(k.x, k.y, k.z);
+        a = SELECT(lafortune, lafortune_distance(top, k.x, k.y, k.z, wi, v.wo), p2);
         b = SELECT(lafortune, max(x, REAL(1e-30)), z2);
         numerator = SELECT(lafortune, SELECT(x > REAL(0.0), k.w, REAL(1e9)), numerator);
         denominator = SELECT(lafortune, REAL(1.0), denominator);
@@ -107,7 +108,7 @@ real lobe_eval_view(uint tag, vec4 k, vec3 wi, LobeView v) {
       if (LOBE_NEEDS(LOBE_ASHIKHMIN_SHIRLEY)) {
         value = SELECT((tag & LOBE_TAG_MAXCOS) != 0u, e * (ratio / oh), value);
       }
-      real f = brdf_schlick(k.z, oh);
+      real f = brdf_schlick(k.z, brdf_cosine_loss(wi, v.wo, oh));
       if (LOBE_NEEDS(LOBE_FRESNEL_EXACT)) {
         f = SELECT((tag & LOBE_TAG_EXACT) != 0u, brdf_fresnel_exact(k.w, min(oh, REAL(1.0))), f);
       }

@@ -8,10 +8,10 @@
 #include "shaders/brdf/brdf_common.glsl"
 
 // sin a tan b cos(dphi) of the paper is d / max(iz, oz), d = ix ox + iy oy: no angles. Times the cosine it stays finite
-// where both directions graze.
+// where both directions graze; there a d near 0 counts a million times, so it must not cancel.
 real oren_nayar_qualitative(real a, real b, vec3 wi, vec3 wo) {
   real iz = max(wi.z, REAL(0.0));
-  real d = max(wi.x * wo.x + wi.y * wo.y, REAL(0.0));
+  real d = max(brdf_sum_of_products(wi.x, wo.x, wi.y, wo.y), REAL(0.0));
   return a * iz + b * (d * (iz / max(iz, max(wo.z, BRDF_MIN_COS))));
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/brdf/kernel.h"
+#include "tests/brdf/errors.h"
 #include "tests/brdf/lobes.h"
 #include "tests/brdf/published.h"
 
@@ -25,36 +26,6 @@ double cancellation(const Lobe& lobe, vec3 wi, double top) {
   if (lobe.model == Model::lafortune) return 2e-7 * top;
   if (lobe.model == Model::oren_nayar && lobe.variant == kOrenNayarFull) return 2e-6 * lobe.params[0] * wi.z;
   return 0;
-}
-
-bool is_default_variant(const Lobe& lobe) { return lobe.variant == model_row(lobe.model).default_variant; }
-
-struct Errors {
-  double core = 0, tail = 0, deep = 0;
-};
-
-// Lights drawn by the lobe itself, so that every sharpness is met at its peak and down its tail.
-Errors measure(const Lobe& lobe, Directions& random, double view_low, double view_high, int count) {
-  Errors worst;
-  for (int i = 0; i < count; ++i) {
-    const vec3 wo = rounded(random.grazing(view_low, view_high));
-    const LobeSample s = sample_lobe(lobe, dvec3(wo), random.uniform(), 1 - std::pow(10.0, -14 * random.uniform()));
-    if (!s.valid || s.wi.z < view_low) continue;
-    const vec3 wi = rounded(s.wi);
-    const double truth = brdf_f64::eval(lobe, dvec3(wi), dvec3(wo));
-    // Regions are those of f, not of fcos.
-    const double mirror = brdf_f64::eval(lobe, dvec3(-wo.x, -wo.y, wo.z), dvec3(wo)) / wo.z;
-    const double top = std::max(std::abs(mirror) * wi.z, std::abs(truth));
-    const double error = std::max(0.0, std::abs(brdf_f32::eval(lobe, wi, wo) - truth) - cancellation(lobe, wi, top));
-    if (truth >= 1e-3 * top) {
-      worst.core = std::max(worst.core, error / truth);
-    } else if (truth >= 1e-12 * top) {
-      worst.tail = std::max(worst.tail, error / truth);
-    } else {
-      worst.deep = std::max(worst.deep, error / top);
-    }
-  }
-  return worst;
 }
 
 TEST(Accuracy, ElementaryFunctionsAreGoodToTwoRoundings) {
@@ -86,24 +57,16 @@ TEST(Accuracy, DoubleFormsEqualThePapers) {
   }
 }
 
-TEST(Accuracy, CoreAndTailStayWithinBudget) {
-  Directions random(3);
-  for (double width : kWidths) {
-    for (const Lobe& lobe : lobes_of_width(width)) {
-      const Errors worst = measure(lobe, random, 0.174, 1, 20000);
-      EXPECT_LE(worst.core, core_budget(lobe)) << name_of(lobe);
-      EXPECT_LE(worst.tail, 1e-4) << name_of(lobe);
-      EXPECT_LE(worst.deep, 1e-12) << name_of(lobe);
-    }
-  }
-}
-
-TEST(Accuracy, GrazingStaysWithinBudget) {
-  Directions random(4);
-  for (double width : kWidths) {
-    for (const Lobe& lobe : lobes_of_width(width)) {
-      if (!is_default_variant(lobe)) continue;
-      EXPECT_LE(measure(lobe, random, 1e-6, 0.174, 20000).core, std::max(2e-5, core_budget(lobe))) << name_of(lobe);
+TEST(Accuracy, EveryVariantStaysWithinItsBudgetOnHardQuestions) {
+  for (const ModelRow& model : models()) {
+    for (uint8_t v = 0; v < model.variants.size(); ++v) {
+      const auto questions = test::hard_questions(model.model, v, 3, 100, 600);
+      std::vector<float> values;
+      for (const auto& [lobe, wi, wo, u] : questions) values.push_back(brdf_f32::eval(lobe, wi, wo));
+      const test::Errors errors = test::errors_of(questions, values);
+      test::expect_within(errors, test::cpu_budget(model.model, v));
+      EXPECT_GT(errors.core.count, 5000u) << model.name;
+      EXPECT_GT(errors.grazing.count, 2000u) << model.name;
     }
   }
 }

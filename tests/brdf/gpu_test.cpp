@@ -5,6 +5,7 @@
 #include "shaders/shared/probe.h"
 #include "shaders/spirv.h"
 #include "tests/brdf/device.h"
+#include "tests/brdf/errors.h"
 #include "tests/brdf/lobes.h"
 #include "tests/gpu/spirv_reflection.h"
 
@@ -52,6 +53,17 @@ TEST_F(BrdfOnTheDevice, EqualsTheCpuBuildOfTheSameText) {
     EXPECT_LE(relative(values[i].pdf, lobe_pdf(lobe, wi, wo)), 3e-5) << name_of(lobe);
   }
   RecordProperty("same_bits_percent", static_cast<int>(100 * same / all.size()));
+}
+
+TEST_F(BrdfOnTheDevice, EveryVariantStaysWithinItsBudgetOnHardQuestions) {
+  for (const ModelRow& model : models()) {
+    for (uint8_t v = 0; v < model.variants.size(); ++v) {
+      const auto questions = test::hard_questions(model.model, v, 4, 100, 600);
+      std::vector<float> values;
+      for (const BrdfValue& value : probe->values(questions)) values.push_back(value.fcos);
+      test::expect_within(test::errors_of(questions, values), test::gpu_budget(model.model, v));
+    }
+  }
 }
 
 TEST_F(BrdfOnTheDevice, DrawsWhatTheCpuDraws) {
