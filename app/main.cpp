@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   add_render(app, common, action);
   add_compare(app, common, action);
   add_info(app, common, action);
+  add_convert(app, common, action);
   add_brdf(app, common, action);
   add_help(app, action);
   app.require_subcommand(0, 1);

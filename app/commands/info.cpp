@@ -15,7 +15,11 @@ namespace {
 Result<Json> info_of(const fs::path& path) {
   std::error_code code;
   if (!fs::exists(path, code)) return fail(ErrorKind::bad_input, path.string(), "", "a file", "nothing there");
-  if (fs::is_directory(path, code)) return preset_info(path);
+  if (fs::is_directory(path, code)) {
+    // Both kinds of folder may be damaged; a preset has this file, pictures lie about without it.
+    const bool pictures = !fs::exists(path / "material.json", code) && !fs::exists(path / "tables.bin", code);
+    return pictures ? btf_info(path) : preset_info(path);
+  }
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -24,9 +28,12 @@ Result<Json> info_of(const fs::path& path) {
   if (extension == ".vamp") return preset_info(path);
   for (const char* picture : {".png", ".jpg", ".jpeg", ".exr", ".hdr"})
     if (extension == picture) return picture_info(path);
+  for (const char* measured : {".btf", ".lp", ".ptm", ".bin"})
+    if (extension == measured) return btf_info(path);
   return fail(
       ErrorKind::bad_input, path.string(), "",
-      "a model (.glb, .gltf), project (.vampproj), preset (.vamp or a folder) or picture (.png, .jpg, .exr, .hdr)",
+      "a model (.glb, .gltf), project (.vampproj), preset (.vamp or a folder), picture (.png, .jpg, .exr, .hdr) "
+      "or BTF (.btf, .lp, .ptm or a folder)",
       extension.empty() ? "a name without an extension" : "\"" + extension + "\"");
 }
 
@@ -67,18 +74,18 @@ std::string as_text(const Json& json) {
 
 }  // namespace
 
+Status print_info(const fs::path& path, bool as_json) {
+  VAMP_TRY(const Json json, info_of(path));
+  fmt::print("{}", as_json ? print_json(json) : as_text(json));
+  return {};
+}
+
 void add_info(CLI::App& app, CommonOptions& common, Action& action) {
   auto file = std::make_shared<std::string>();
-  CLI::App* verb = app.add_subcommand("info", "Say what is in a model, project, preset or picture");
-  verb->add_option("file", *file, "The file, or the folder of a preset")->type_name("FILE")->required();
+  CLI::App* verb = app.add_subcommand("info", "Say what is in a model, project, preset, picture or BTF");
+  verb->add_option("file", *file, "The file, or the folder of a preset or of pictures")->type_name("FILE")->required();
   verb->add_flag("--json", common.json, "Print it as JSON");
-  verb->callback([file, &common, &action] {
-    action = [file, &common]() -> Status {
-      VAMP_TRY(const Json json, info_of(*file));
-      fmt::print("{}", common.json ? print_json(json) : as_text(json));
-      return {};
-    };
-  });
+  verb->callback([file, &common, &action] { action = [file, &common] { return print_info(*file, common.json); }; });
 }
 
 }  // namespace vamp

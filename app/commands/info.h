@@ -10,5 +10,9 @@ Result<Json> model_info(const fs::path& path);
 Result<Json> project_info(const fs::path& path);
 Result<Json> preset_info(const fs::path& path);
 Result<Json> picture_info(const fs::path& path);
+Result<Json> btf_info(const fs::path& path);
+
+// What `vamp info` prints of a file.
+Status print_info(const fs::path& path, bool json);
 
 }  // namespace vamp

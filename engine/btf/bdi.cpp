@@ -43,8 +43,8 @@ Result<BdiHeader> read_bdi_header(std::span<const std::byte> bytes, std::string_
   if (const auto compression = cursor.number<uint8_t>("compression"); compression != kSparseUncompressed)
     cursor.refuse(place, "compression", "2 (sparse, uncompressed)", std::to_string(compression));
   header.mask = cursor.take(uint64_t{bonn.width} * bonn.height, "mask");
-  const uint64_t rotations = cursor.number<uint32_t>("number of rotations");
-  cursor.take(rotations * 9 * sizeof(float), "rotations");
+  header.rotation_count = cursor.number<uint32_t>("number of rotations");
+  cursor.take(header.rotation_count * 9 * sizeof(float), "rotations");
   header.stored_texels = header.mask.size() - static_cast<uint64_t>(std::ranges::count(header.mask, std::byte{0}));
   header.texels_per_chunk = uint64_t{header.rows_per_chunk} * bonn.width;
   header.bytes_per_texel = bonn.channels.size() * bonn.lights.size() * bonn.views.size() * sizeof(Half);

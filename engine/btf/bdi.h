@@ -11,6 +11,7 @@ struct BdiHeader {
   BonnHeader bonn;
   uint32_t rows_per_chunk = 0;
   std::span<const std::byte> mask;  // per texel, 0: not stored
+  uint64_t rotation_count = 0;      // of local frames, which are not applied
   uint64_t stored_texels = 0;       // those that the mask leaves in
   uint64_t first_texel = 0;         // byte of the first stored texel
   uint64_t texels_per_chunk = 0;

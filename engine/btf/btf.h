@@ -33,6 +33,15 @@ struct BtfInfo {
   size_t values_per_texel() const { return views.size() * lights.size() * 3; }
 };
 
+// A part of a texture.
+struct TexelRect {
+  uint32_t x = 0, y = 0, width = 0, height = 0;
+
+  bool inside(const BtfInfo& info) const {
+    return width > 0 && height > 0 && uint64_t{x} + width <= info.width && uint64_t{y} + height <= info.height;
+  }
+};
+
 // "texel (3, 4), view 5, light 6" for messages; direction = view * lights + light.
 std::string place_of(const BtfInfo& info, size_t texel, size_t direction);
 

@@ -14,6 +14,7 @@
 #include "engine/btf/light_list.h"
 #include "engine/btf/ptm.h"
 #include "engine/btf/sample_colour.h"
+#include "engine/btf/sparse_btf.h"
 #include "engine/core/jobs.h"
 
 namespace vamp {
@@ -25,12 +26,12 @@ constexpr uint64_t kMostInMemory = uint64_t{1} << 30;
 bool is_finite(Half value) { return (value & 0x7c00u) != 0x7c00u; }
 
 // The values of a BDI file that cannot be used where they lie: converted, the texels that it leaves out black.
-Result<Btf> decode_bdi(const fs::path& path, const MemoryMap& map, const BdiHeader& header, const fs::path& output,
-                       Progress* progress) {
+Result<Btf> decode_bdi(const fs::path& path, const MemoryMap& map, const BdiHeader& header,
+                       const LoadBtfOptions& options, Progress* progress) {
   const std::string file = path.string();
   const BonnHeader& bonn = header.bonn;
   VAMP_TRY(const SampleColour colour, SampleColour::of(bonn.channels, info_of(bonn), bonn.has_cosine, {}, file));
-  VAMP_TRY(Btf btf, make_btf(info_of(bonn), output));
+  VAMP_TRY(Btf btf, make_btf(info_of(bonn), options));
   if (progress != nullptr) progress->stage("Converting values");
   const size_t channels = bonn.channels.size();
   std::vector<Half> halfs(header.bytes_per_texel / sizeof(Half));
@@ -53,36 +54,64 @@ Result<Btf> decode_bdi(const fs::path& path, const MemoryMap& map, const BdiHead
   return btf;
 }
 
-Result<Btf> load_bdi(const fs::path& path, const fs::path& output, Progress* progress) {
+Result<Btf> load_bdi(const fs::path& path, const LoadBtfOptions& options, Progress* progress) {
   VAMP_TRY(const MemoryMap map, MemoryMap::open(path, MapAccess::read));
   VAMP_TRY(const BdiHeader header, read_bdi_header(map.bytes(), path.string()));
-  if (why_not_mapped(header)) return decode_bdi(path, map, header, output, progress);
+  if (why_not_mapped(header) || !options.output.empty() || options.mm_per_texel)
+    return decode_bdi(path, map, header, options, progress);
   VAMP_TRY(Btf btf, Btf::open(path));
   VAMP_CHECK_STATUS(check_finite(btf, path.string(), progress));
   return btf;
 }
 
-Result<Btf> load_factored(const fs::path& path, const fs::path& output, Progress* progress) {
+Result<Btf> load_factored(const fs::path& path, const LoadBtfOptions& options, Progress* progress) {
   VAMP_TRY(const FactoredBtf factored, read_factored_btf(path));
-  VAMP_TRY(Btf btf, make_btf(factored.info, output));
+  VAMP_TRY(Btf btf, make_btf(factored.info, options));
   VAMP_CHECK_STATUS(decode(factored, btf, path.string(), progress));
   return btf;
 }
 
 Result<Btf> load_images(const ImageSet& images, const LoadBtfOptions& options, Progress* progress) {
   VAMP_TRY(BtfInfo info, info_of(images));
-  VAMP_TRY(Btf btf, make_btf(std::move(info), options.output));
+  VAMP_TRY(Btf btf, make_btf(std::move(info), options));
   VAMP_CHECK_STATUS(read_images(images, btf, options.curve, progress));
+  return btf;
+}
+
+Status check_part(const std::optional<TexelRect>& part, const BtfInfo& info, const fs::path& path) {
+  if (!part || part->inside(info)) return {};
+  return fail(ErrorKind::bad_input, path.string(), "texels", fmt::format("a part of {} x {}", info.width, info.height),
+              fmt::format("{} x {} from ({}, {})", part->width, part->height, part->x, part->y));
+}
+
+Result<Btf> load_sparse(const fs::path& path, const LoadBtfOptions& options, Progress* progress) {
+  VAMP_TRY(const SparseBtf sparse, read_sparse_btf(path));
+  VAMP_CHECK_STATUS(check_part(options.part, sparse.info, path));
+  const TexelRect part = options.part.value_or(TexelRect{0, 0, sparse.info.width, sparse.info.height});
+  VAMP_TRY(Btf btf, make_btf(info_of(sparse, part), options));
+  VAMP_CHECK_STATUS(decode(sparse, part, btf, progress));
+  return btf;
+}
+
+Result<Btf> copy_part(const Btf& whole, const TexelRect& part, const LoadBtfOptions& options) {
+  BtfInfo info = whole.info();
+  info.width = part.width;
+  info.height = part.height;
+  VAMP_TRY(Btf btf, make_btf(std::move(info), options));
+  for (uint32_t y = 0; y < part.height; ++y)
+    for (uint32_t x = 0; x < part.width; ++x)
+      std::ranges::copy(whole.texel(size_t{part.y + y} * whole.info().width + part.x + x),
+                        btf.writable_texel(size_t{y} * part.width + x).begin());
   return btf;
 }
 
 Result<Btf> load_any(const fs::path& path, BtfFormat format, const LoadBtfOptions& options, Progress* progress) {
   switch (format) {
     case BtfFormat::bdi:
-      return load_bdi(path, options.output, progress);
+      return load_bdi(path, options, progress);
     case BtfFormat::fmf:
     case BtfFormat::dfmf:
-      return load_factored(path, options.output, progress);
+      return load_factored(path, options, progress);
     case BtfFormat::images: {
       VAMP_TRY(const ImageSet images, find_images(path));
       return load_images(images, options, progress);
@@ -91,11 +120,13 @@ Result<Btf> load_any(const fs::path& path, BtfFormat format, const LoadBtfOption
       VAMP_TRY(const ImageSet images, read_light_list(path));
       return load_images(images, options, progress);
     }
+    case BtfFormat::sparse:
+      return load_sparse(path, options, progress);
     case BtfFormat::ptm:
       break;
   }
   VAMP_TRY(const Ptm ptm, read_ptm(path));
-  VAMP_TRY(Btf btf, make_btf(info_of(ptm, ubo81()), options.output));
+  VAMP_TRY(Btf btf, make_btf(info_of(ptm, ubo81()), options));
   decode(ptm, btf, options.curve);
   return btf;
 }
@@ -103,13 +134,23 @@ Result<Btf> load_any(const fs::path& path, BtfFormat format, const LoadBtfOption
 }  // namespace
 
 std::string name_of(BtfFormat format) {
-  constexpr const char* kNames[] = {"Bonn BDI",
-                                    "Bonn FMF",
-                                    "Bonn DFMF",
-                                    "folder of pictures",
-                                    "photographs under known lights",
-                                    "polynomial texture map"};
-  return kNames[static_cast<size_t>(format)];
+  switch (format) {
+    case BtfFormat::bdi:
+      return "Bonn BDI";
+    case BtfFormat::fmf:
+      return "Bonn FMF";
+    case BtfFormat::dfmf:
+      return "Bonn DFMF";
+    case BtfFormat::images:
+      return "folder of pictures";
+    case BtfFormat::light_list:
+      return "photographs under known lights";
+    case BtfFormat::ptm:
+      return "polynomial texture map";
+    case BtfFormat::sparse:
+      return "SparseBTF";
+  }
+  return {};
 }
 
 Result<BtfFormat> btf_format(const fs::path& path) {
@@ -126,12 +167,14 @@ Result<BtfFormat> btf_format(const fs::path& path) {
   if (start.starts_with("!FMF")) return BtfFormat::fmf;
   if (start.starts_with("PTM_")) return BtfFormat::ptm;
   if (path.extension() == ".lp") return BtfFormat::light_list;
+  if (is_sparse_btf_name(path)) return BtfFormat::sparse;
   return fail(ErrorKind::bad_input, path.string(), "byte 0", "a BTF: Bonn .btf, .ptm, .lp or a folder of pictures",
               start.starts_with("!PVF") ? "Bonn PVF, which is not read" : "another kind of file");
 }
 
-Result<Btf> make_btf(BtfInfo info, const fs::path& output) {
-  if (!output.empty()) return Btf::create(output, std::move(info));
+Result<Btf> make_btf(BtfInfo info, const LoadBtfOptions& options) {
+  info.mm_per_texel = options.mm_per_texel.value_or(info.mm_per_texel);
+  if (!options.output.empty()) return Btf::create(options.output, std::move(info));
   if (info.texel_count() * info.values_per_texel() * sizeof(Half) < kMostInMemory)
     return Btf::in_memory(std::move(info));
   // The map holds on to the file after its name is gone, and the room is free again whatever becomes of this program.
@@ -159,7 +202,15 @@ Status check_finite(const Btf& btf, std::string_view file, Progress* progress) {
 
 Result<Btf> load_btf(const fs::path& path, const LoadBtfOptions& options, Progress* progress) {
   VAMP_TRY(const BtfFormat format, btf_format(path));
-  auto loaded = load_any(path, format, options, progress);
+  // SparseBTF takes its part itself; of all others it is copied out of the whole.
+  const bool copies = options.part && format != BtfFormat::sparse;
+  LoadBtfOptions whole = options;
+  if (copies) whole.output.clear();
+  auto loaded = load_any(path, format, whole, progress);
+  if (loaded && copies) {
+    VAMP_CHECK_STATUS(check_part(options.part, loaded->info(), path));
+    loaded = copy_part(*loaded, *options.part, options);
+  }
   // What a failure or the user stopped halfway is not left behind as a whole file.
   std::error_code code;
   if (!loaded && !options.output.empty()) fs::remove(options.output, code);

@@ -32,10 +32,6 @@ struct SparseBtf {
   std::vector<float> mean, deviation;                    // [view][light], shared by the channels
 };
 
-struct TexelRect {
-  uint32_t x = 0, y = 0, width = 0, height = 0;
-};
-
 // `path` is the coefficient file of any channel; the others are looked for beside it. bad_input when one of the files
 // that belong together is missing or damaged.
 Result<SparseBtf> read_sparse_btf(const fs::path& path);

@@ -16,11 +16,6 @@ using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMa
 
 Eigen::Index index(size_t i) { return static_cast<Eigen::Index>(i); }
 
-bool inside(const TexelRect& part, const BtfInfo& info) {
-  return part.width > 0 && part.height > 0 && uint64_t{part.x} + part.width <= info.width &&
-         uint64_t{part.y} + part.height <= info.height;
-}
-
 std::span<const SparseChannel::Atom> atoms_of(const SparseChannel& channel, size_t patch) {
   return std::span(channel.atoms).subspan(patch * channel.atoms_per_patch, channel.atom_count[patch]);
 }
@@ -123,7 +118,7 @@ Factors channel_factors(const SparseBtf& sparse, const SparseChannel& channel, c
 }  // namespace
 
 Status decode(const SparseBtf& sparse, const TexelRect& part, Btf& out, Progress* progress) {
-  CHECK(inside(part, sparse.info));
+  CHECK(part.inside(sparse.info));
   const SparseChannel& shape = any_channel(sparse);
   std::vector<float> values(out.values_per_texel());
   const size_t directions = sparse.mean.size();
@@ -154,7 +149,7 @@ Status decode(const SparseBtf& sparse, const TexelRect& part, Btf& out, Progress
 }
 
 FactoredBtf factored(const SparseBtf& sparse, const TexelRect& part) {
-  CHECK(inside(part, sparse.info));
+  CHECK(part.inside(sparse.info));
   FactoredBtf btf;
   btf.info = info_of(sparse, part);
   btf.channels = {"log Y", "log U", "log V"};
