@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/editor/background_device.h"
+#include "editor/panels/view_commands.h"
 #include "editor/widgets/edit.h"
 #include "editor/widgets/notify.h"
 #include "editor/widgets/theme.h"
@@ -86,11 +87,8 @@ void Editor::connect_context() {
 // Another document is open: nothing of the old one is selected, its picture goes.
 void Editor::take_document(bool fresh) {
   tell_time("document loaded");
-  // A model's own camera was set up for a landscape picture: in a narrower one it steps back until the same width fits.
-  constexpr float kLandscape = 4.0f / 3;
-  const float aspect = static_cast<float>(viewport_width_) / static_cast<float>(std::max(viewport_height_, 1));
-  if (fresh && viewport_width_ > 0 && aspect < kLandscape)
-    document_.set_camera(dolly(project().camera, kLandscape / aspect, project().scene->bounds.radius()));
+  if (fresh && viewport_width_ > 0) ui::fit_opened(context_);
+  context_.opened_camera = project().camera;
   selection_ = {};
   context_.hover = {};
   picture_.clear();

@@ -296,11 +296,7 @@ void Editor::add_view_actions() {
                 .label = "Frame",
                 .menu = "View",
                 .shortcut = "F",
-                .run =
-                    [this] {
-                      if (selection_.part >= 0) return ui::fit_part(context_, selection_.part);
-                      ui::fit_view(context_);
-                    },
+                .run = [this] { ui::fit_selection(context_); },
                 .enabled = ready,
                 .tooltip = "Fits the selected part, or the whole model, into the picture",
                 .group = 1});

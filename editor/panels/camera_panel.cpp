@@ -18,16 +18,6 @@
 
 namespace vamp::ui {
 
-namespace {
-
-// What the rows go back to: the model's own camera, or the three-quarter view.
-Camera initial_camera(const Project& project, float aspect) {
-  return project.scene->cameras.empty() ? default_camera(project.scene->bounds, aspect)
-                                        : project.scene->cameras.front();
-}
-
-}  // namespace
-
 void CameraPanel::draw(PanelContext& context) {
   draw_camera(context);
   draw_views(context);
@@ -36,7 +26,7 @@ void CameraPanel::draw(PanelContext& context) {
 void CameraPanel::draw_camera(PanelContext& context) {
   const ProjectPtr project = context.document.project();
   const float mm = project->mm_per_unit;
-  const Camera initial = initial_camera(*project, view_aspect(context));
+  const Camera& initial = context.opened_camera;
   Camera camera = project->camera;
   bool moved = false;
   const auto place = [&](const char* const labels[3], vec3 Camera::*member, const char* description) {
@@ -83,9 +73,9 @@ void CameraPanel::draw_standard_views(PanelContext& context) {
   for (const StandardViewRow& row : kStandardViews) {
     if (button(row.label, row.tooltip)) standard_view(context, row.view);
   }
-  if (button("Fit model", "The whole model just fits into the picture (F)")) fit_view(context);
+  if (button("Fit model", "The whole model fits into the picture (F when nothing is selected)")) fit_view(context);
   ImGui::BeginDisabled(context.selection.part < 0);
-  if (button("Fit part", "The selected part just fits into the picture")) fit_part(context, context.selection.part);
+  if (button("Fit part", "The selected part fits into the picture (F)")) fit_part(context, context.selection.part);
   ImGui::EndDisabled();
   gap(2);
 }

@@ -33,9 +33,11 @@ struct PanelContext {
   RenderSession* session = nullptr;
   RenderStatus status;
   ViewportTextures viewport;
+  ImVec2 viewport_size{0, 0};  // of its panel, in pixels; 0 before it was drawn
   Tool tool = Tool::pick;
   bool show_outlines = true;
-  Pick hover;  // what the mouse is over in the viewport; part -1 while it is elsewhere
+  Camera opened_camera;  // where the camera stood when the document was opened: what its rows go back to
+  Pick hover;            // what the mouse is over in the viewport; part -1 while it is elsewhere
 
   // What lies under a point of the picture, in pixels; empty: the session answers.
   std::function<Pick(float x, float y)> pick;

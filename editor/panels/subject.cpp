@@ -15,36 +15,66 @@ bool is_flat(const Bounds& bounds) {
   return std::min({size.x, size.y, size.z}) < kFlat * std::max({size.x, size.y, size.z});
 }
 
-// Calls `visit` with the bounds of each visible part.
-template <class Visit>
-void for_each_visible(const Project& project, Visit visit) {
-  for (size_t i = 0; i < project.parts.size() && i < project.scene->parts.size(); ++i) {
-    const Bounds& bounds = project.scene->parts[i].bounds;
-    if (project.parts[i].visible && !bounds.empty()) visit(bounds);
+// Whether each part belongs to the subject.
+std::vector<bool> subject_parts(const Project& project) {
+  const size_t count = std::min(project.parts.size(), project.scene->parts.size());
+  std::vector<bool> chosen(count);
+  for (size_t i = 0; i < count; ++i) chosen[i] = project.parts[i].visible && !project.scene->parts[i].bounds.empty();
+  const auto each = [&](auto visit) {
+    for (size_t i = 0; i < count; ++i)
+      if (chosen[i]) visit(i, project.scene->parts[i].bounds);
+  };
+  // A floor that bends up into a backdrop is not flat; but it is the one part far larger than the many others.
+  Bounds largest;
+  size_t visible = 0;
+  each([&](size_t, const Bounds& part) {
+    if (largest.empty() || part.radius() > largest.radius()) largest = part;
+    ++visible;
+  });
+  const auto may_be_backdrop = [&](const Bounds& part) {
+    return is_flat(part) || (part == largest && visible >= kMany);
+  };
+  Bounds solid;
+  each([&](size_t, const Bounds& part) {
+    if (!may_be_backdrop(part)) solid.extend(part);
+  });
+  if (solid.empty()) return chosen;
+  each([&](size_t i, const Bounds& part) {
+    if (may_be_backdrop(part) && part.radius() > kBackdrop * solid.radius()) chosen[i] = false;
+  });
+  return chosen;
+}
+
+// The corners of the triangles of the parts for which `wanted` holds.
+template <class Wanted>
+std::vector<vec3> corners_of(const Scene& scene, Wanted wanted) {
+  std::vector<vec3> points;
+  for (size_t i = 0; i < scene.triangles.size(); ++i) {
+    if (!wanted(scene.triangle_part[i])) continue;
+    for (int corner = 0; corner < 3; ++corner) points.push_back(scene.positions[scene.triangles[i][corner]]);
   }
+  return points;
 }
 
 }  // namespace
 
 Bounds subject_bounds(const Project& project) {
-  // A floor that bends up into a backdrop is not flat; but it is the one part far larger than the many others.
-  Bounds largest;
-  size_t count = 0;
-  for_each_visible(project, [&](const Bounds& part) {
-    if (largest.empty() || part.radius() > largest.radius()) largest = part;
-    ++count;
-  });
-  const auto may_be_backdrop = [&](const Bounds& part) { return is_flat(part) || (part == largest && count >= kMany); };
-  Bounds solid;
-  for_each_visible(project, [&](const Bounds& part) {
-    if (!may_be_backdrop(part)) solid.extend(part);
-  });
+  const std::vector<bool> chosen = subject_parts(project);
   Bounds subject;
-  for_each_visible(project, [&](const Bounds& part) {
-    const bool backdrop = !solid.empty() && may_be_backdrop(part) && part.radius() > kBackdrop * solid.radius();
-    if (!backdrop) subject.extend(part);
-  });
+  for (size_t i = 0; i < chosen.size(); ++i)
+    if (chosen[i]) subject.extend(project.scene->parts[i].bounds);
   return subject.empty() ? project.scene->bounds : subject;
+}
+
+std::vector<vec3> subject_points(const Project& project) {
+  const std::vector<bool> chosen = subject_parts(project);
+  std::vector<vec3> points =
+      corners_of(*project.scene, [&](uint32_t part) { return part < chosen.size() && chosen[part]; });
+  return points.empty() ? project.scene->positions : points;
+}
+
+std::vector<vec3> part_points(const Project& project, int part) {
+  return corners_of(*project.scene, [part](uint32_t each) { return static_cast<int>(each) == part; });
 }
 
 }  // namespace vamp::ui

@@ -15,6 +15,9 @@ const std::array<StandardViewRow, 6> kStandardViews{{
 
 namespace {
 
+constexpr float kLandscape = 4.0f / 3;
+constexpr float kMargin = 0.05f;  // of the picture, on each side
+
 // Where the camera stands, seen from the model.
 vec3 side_of(StandardView view) {
   switch (view) {
@@ -37,21 +40,32 @@ vec3 side_of(StandardView view) {
 }  // namespace
 
 float view_aspect(const PanelContext& context) {
-  const ViewportTextures& view = context.viewport;
-  return view.width > 0 && view.height > 0 ? static_cast<float>(view.width) / static_cast<float>(view.height)
-                                           : 4.0f / 3;
+  const ImVec2 size = context.viewport_size;
+  return size.x >= 1 && size.y >= 1 ? size.x / size.y : kLandscape;
 }
 
 void fit_view(PanelContext& context) {
   const Project& project = *context.document.project();
-  context.document.set_camera(fit(project.camera, subject_bounds(project), view_aspect(context)));
+  context.document.set_camera(fit(project.camera, subject_points(project), view_aspect(context), kMargin));
 }
 
 void fit_part(PanelContext& context, int part) {
   const Project& project = *context.document.project();
-  if (part < 0 || static_cast<size_t>(part) >= project.scene->parts.size()) return;
-  const Bounds& bounds = project.scene->parts[static_cast<size_t>(part)].bounds;
-  context.document.set_camera(fit(project.camera, bounds, view_aspect(context)));
+  context.document.set_camera(fit(project.camera, part_points(project, part), view_aspect(context), kMargin));
+}
+
+void fit_selection(PanelContext& context) {
+  context.selection.part >= 0 ? fit_part(context, context.selection.part) : fit_view(context);
+}
+
+void fit_opened(PanelContext& context) {
+  const Project& project = *context.document.project();
+  const std::vector<vec3> points = subject_points(project);
+  const float aspect = view_aspect(context);
+  const bool own = !project.scene->cameras.empty();
+  if (own && (in_view(project.camera, points, aspect, kMargin) || !in_view(project.camera, points, kLandscape, 0)))
+    return;
+  context.document.set_camera(fit(project.camera, points, aspect, kMargin));
 }
 
 void standard_view(PanelContext& context, StandardView view) {
@@ -60,7 +74,7 @@ void standard_view(PanelContext& context, StandardView view) {
   camera.target = subject_bounds(project).center();
   camera.eye = camera.target + side_of(view);
   camera.up = vec3(0, 1, 0);
-  context.document.set_camera(fit(camera, subject_bounds(project), view_aspect(context)));
+  context.document.set_camera(fit(camera, subject_points(project), view_aspect(context), kMargin));
 }
 
 }  // namespace vamp::ui

@@ -50,6 +50,7 @@ void ViewportPanel::draw(PanelContext& context) {
 }
 
 void ViewportPanel::ask_for_size(PanelContext& context, ImVec2 size) {
+  context.viewport_size = size;
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
   if (width == asked_width_ && height == asked_height_) return;
   asked_width_ = width;
@@ -151,7 +152,6 @@ void ViewportPanel::handle_keys(PanelContext& context, bool hovered) {
   if (!here || io.WantTextInput || edit_is_open() || drag_ != Drag::none || io.KeyCtrl || io.KeyAlt) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   if (ImGui::IsKeyPressed(kKeyEscape, false)) context.selection = Selection{};
-  if (ImGui::IsKeyPressed('F', false) && !io.KeyShift) fit_view(context);
   if (!ImGui::IsWindowFocused()) return;
   const float step = io.KeyShift ? 1 : kKeyDegrees;
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key) ? 1.0f : 0.0f; };

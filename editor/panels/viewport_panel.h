@@ -2,7 +2,7 @@
 // The picture: orbit, pan and zoom in it, choose parts and clusters with a click, drop presets on parts.
 //   left drag in the orbit tool, middle, right or Alt+left drag: orbit     arrow keys: orbit by 5 degrees, Shift by 1
 //   Shift+middle or Ctrl+Alt+left drag: pan                                wheel: zoom to the mouse
-//   click: select; double-click on nothing, F: fit                         Esc: select nothing
+//   click: select; double-click on nothing: fit                            Esc: select nothing
 #include <string>
 
 #include "editor/panels/context.h"

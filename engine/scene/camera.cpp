@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 namespace vamp {
 namespace {
@@ -91,6 +92,46 @@ Camera fit(const Camera& camera, const Bounds& bounds, float aspect) {
   fitted.target = bounds.center();
   fitted.eye = fitted.target - view_direction(camera) * (radius / std::sin(std::min(half_vertical, half_horizontal)));
   return fitted;
+}
+
+Camera fit(const Camera& camera, std::span<const vec3> points, float aspect, float margin) {
+  Bounds bounds;
+  for (const vec3& p : points) bounds.extend(p);
+  if (bounds.empty() || !(bounds.radius() > 0)) return camera;
+  const CameraFrame frame = camera_frame(camera, aspect);
+  const vec3 sides[2] = {glm::normalize(frame.right), glm::normalize(frame.up)};
+  const vec3 tangents[2] = {frame.right, frame.up};
+
+  // Along one side s of the picture with t = tan(half angle), less the margin: |s.p - s.eye| <= t (f.p - f.eye). The
+  // points of either edge that press most say where the eye may stand at the nearest, and the middle between them.
+  float depth = std::numeric_limits<float>::max();
+  vec3 middle(0);
+  for (int axis = 0; axis < 2; ++axis) {
+    const float t = glm::length(tangents[axis]) * (1 - 2 * margin);
+    float low = -std::numeric_limits<float>::max(), high = low;
+    for (const vec3& p : points) {
+      const vec3 from = p - bounds.center();
+      const float along = glm::dot(from, sides[axis]), back = t * glm::dot(from, frame.forward);
+      high = std::max(high, along - back);
+      low = std::max(low, -along - back);
+    }
+    depth = std::min(depth, -(high + low) / (2 * t));
+    middle += sides[axis] * ((high - low) / 2);
+  }
+  Camera fitted = camera;
+  fitted.target = bounds.center() + middle;
+  fitted.eye = fitted.target + frame.forward * depth;
+  return fitted;
+}
+
+bool in_view(const Camera& camera, std::span<const vec3> points, float aspect, float margin) {
+  const CameraFrame frame = camera_frame(camera, aspect);
+  const vec3 right = frame.right / glm::dot(frame.right, frame.right), up = frame.up / glm::dot(frame.up, frame.up);
+  return std::all_of(points.begin(), points.end(), [&](const vec3& p) {
+    const vec3 from = p - frame.origin;
+    const float edge = (1 - 2 * margin) * glm::dot(from, frame.forward);
+    return std::abs(glm::dot(from, right)) <= edge && std::abs(glm::dot(from, up)) <= edge;
+  });
 }
 
 Camera default_camera(const Bounds& bounds, float aspect) {

@@ -1,5 +1,6 @@
 #pragma once
 // Where the picture is taken from. Lengths in scene units, right-handed, angles in degrees.
+#include <span>
 #include <string>
 
 #include "engine/core/error.h"
@@ -49,6 +50,13 @@ Camera dolly(const Camera& camera, float factor, float scene_radius = 1.0f);
 // Keeps the direction of view and moves so that the bounding sphere of `bounds` just fits in width / height = aspect.
 // Empty bounds leave the camera as it is.
 Camera fit(const Camera& camera, const Bounds& bounds, float aspect);
+
+// The same for points, closer: they just fit, in the middle, and `margin` of the picture stays free on each side (0 to
+// 0.4, a fraction of its width and height). No points, or points in one place, leave the camera as it is.
+Camera fit(const Camera& camera, std::span<const vec3> points, float aspect, float margin);
+
+// Whether all points are in the picture and none nearer to its edge than `margin`.
+bool in_view(const Camera& camera, std::span<const vec3> points, float aspect, float margin);
 
 // The three-quarter view that a model without a camera is shown in.
 Camera default_camera(const Bounds& bounds, float aspect);

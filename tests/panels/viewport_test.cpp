@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "editor/panels/subject.h"
+#include "editor/panels/view_commands.h"
 #include "tests/panels/panel_test.h"
 
 namespace vamp::ui {
@@ -158,16 +159,31 @@ TEST_F(Viewport, TheWheelZoomsToTheMouse) {
   EXPECT_LT(glm::length(at_mouse() - before), 1e-4f * distance);
 }
 
-TEST_F(Viewport, KeysTurnAndFit) {
+TEST_F(Viewport, ArrowKeysTurn) {
   click(300, 200);
   const Camera before = camera();
   tap(263);
   EXPECT_NE(camera().eye, before.eye);
   EXPECT_EQ(camera().target, before.target);
-  document_.set_camera(dolly(camera(), 30, 1));
-  tap('F');
-  const Camera fitted = fit(camera(), subject_bounds(*document_.project()), 0.8f);
-  EXPECT_LT(glm::length(camera().eye - fitted.eye), 1e-4f);
+}
+
+TEST_F(Viewport, ShowsTheWholeModelInEveryShapeOfPicture) {
+  step();
+  for (const ImVec2 size : {ImVec2(400, 500), ImVec2(900, 300), ImVec2(300, 900)}) {
+    context_.viewport_size = size;
+    const float aspect = size.x / size.y;
+    const std::vector<vec3> points = subject_points(*document_.project());
+    document_.set_camera(dolly(camera(), 30, 1));
+    fit_view(context_);
+    EXPECT_TRUE(in_view(camera(), points, aspect, 0.049f));
+    EXPECT_FALSE(in_view(camera(), points, aspect, 0.051f));
+    // This model has no camera of its own, which might cut something off on purpose.
+    document_.set_camera(dolly(camera(), 0.5f, 1));
+    fit_opened(context_);
+    EXPECT_TRUE(in_view(camera(), points, aspect, 0.049f));
+    fit_part(context_, 0);
+    EXPECT_TRUE(in_view(camera(), part_points(*document_.project(), 0), aspect, 0.049f));
+  }
 }
 
 TEST(Subject, FloorsAndHiddenPartsAreLeftOut) {

@@ -95,5 +95,42 @@ TEST(Camera, FitShowsTheWholeSphereAroundTheBox) {
   EXPECT_EQ(fit(camera, Bounds{}, 1), camera);
 }
 
+TEST(Camera, FitPutsPointsInTheMiddleUpToTheMargin) {
+  // A long thing, seen at an angle.
+  const std::vector<vec3> points = {vec3(-3, 0, 1), vec3(4, 0.2f, -1), vec3(0, 1, 0), vec3(1, -0.5f, 2)};
+  Camera camera;
+  camera.eye = vec3(5, 4, 6);
+  camera.fov_degrees = 30;
+  for (const float aspect : {0.4f, 1.0f, 2.5f}) {
+    for (const float margin : {0.0f, 0.1f}) {
+      const Camera fitted = fit(camera, points, aspect, margin);
+      const CameraFrame frame = camera_frame(fitted, aspect);
+      float most[2] = {-2, -2}, least[2] = {2, 2};
+      for (const vec3& p : points) {
+        const vec3 d = p - frame.origin;
+        const float depth = glm::dot(d, frame.forward);
+        ASSERT_GT(depth, 0);
+        const float at[2] = {glm::dot(d, frame.right) / glm::dot(frame.right, frame.right) / depth,
+                             glm::dot(d, frame.up) / glm::dot(frame.up, frame.up) / depth};
+        for (int i = 0; i < 2; ++i) {
+          most[i] = std::max(most[i], at[i]);
+          least[i] = std::min(least[i], at[i]);
+        }
+      }
+      // One side of the picture is used up to the margin at both ends, the other is not exceeded.
+      const float edge = 1 - 2 * margin;
+      const int tight = most[0] > most[1] ? 0 : 1;
+      EXPECT_NEAR(most[tight], edge, 1e-4f);
+      EXPECT_NEAR(least[tight], -edge, 1e-4f);
+      EXPECT_LE(std::max(most[1 - tight], -least[1 - tight]), edge);
+      EXPECT_TRUE(in_view(fitted, points, aspect, margin - 1e-4f));
+      EXPECT_FALSE(in_view(fitted, points, aspect, margin + 1e-3f));
+      expect_near(glm::normalize(fitted.target - fitted.eye), glm::normalize(camera.target - camera.eye), 1e-5f);
+    }
+  }
+  EXPECT_EQ(fit(camera, std::span<const vec3>(), 1, 0), camera);
+  EXPECT_EQ(fit(camera, std::span(points).first(1), 1, 0), camera);
+}
+
 }  // namespace
 }  // namespace vamp
