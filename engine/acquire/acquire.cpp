@@ -13,7 +13,7 @@
 #include "engine/acquire/texel.h"
 #include "engine/core/progress.h"
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -21,12 +21,12 @@ constexpr std::chrono::seconds kBetweenSaves(20);
 
 // In the provenance until the errors are known; the same number of characters each.
 constexpr std::string_view kUnknown = "median ........ worst ........";
-std::string known(const AcquireReport& report) {
+std::string known(const Report& report) {
   return fmt::format("median {:8.6f} worst {:8.6f}", std::min(report.median_error, 9.0),
                      std::min(report.worst_error, 9.0));
 }
 
-BtfInfo info_of(const Mesostructure& structure, const AcquireOptions& options) {
+BtfInfo info_of(const Mesostructure& structure, const Options& options) {
   BtfInfo info;
   info.width = info.height = static_cast<uint32_t>(options.size);
   info.views = info.lights = options.directions;
@@ -47,8 +47,8 @@ std::vector<vec3> directions_of(const DirectionSet& set) {
   return directions;
 }
 
-AcquireReport summary(std::vector<float> errors) {
-  AcquireReport report;
+Report summary(std::vector<float> errors) {
+  Report report;
   if (errors.empty()) return report;
   std::sort(errors.begin(), errors.end());
   report.median_error = static_cast<double>(errors[errors.size() / 2]);
@@ -102,7 +102,7 @@ struct State {
 };
 
 // The file tells the errors that were not known when it was begun.
-Status write_errors(const fs::path& path, const AcquireReport& report) {
+Status write_errors(const fs::path& path, const Report& report) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   std::string start(1 << 16, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -120,13 +120,12 @@ Status write_errors(const fs::path& path, const AcquireReport& report) {
 
 }  // namespace
 
-Result<AcquireReport> acquire(Mesostructure structure, const AcquireOptions& options, const fs::path& path,
-                              Progress& progress) {
+Result<Report> measure(Mesostructure structure, const Options& options, const fs::path& path, Progress& progress) {
   const fs::path part = path.string() + ".part";
   const BtfInfo info = info_of(structure, options);
   State state{part.string() + ".json", options.job, std::vector<uint8_t>(info.height),
               std::vector<float>(info.texel_count())};
-  AcquireReport report;
+  Report report;
 
   // Go on with what there is, or begin.
   Result<Btf> btf = fail(ErrorKind::failed, "", "", "");
@@ -186,7 +185,7 @@ Result<AcquireReport> acquire(Mesostructure structure, const AcquireOptions& opt
     return fail(ErrorKind::interrupted, path.string(), "",
                 fmt::format("stopped after {} of {} rows; the same command goes on from there", done, info.height));
 
-  const AcquireReport errors = summary(state.errors);
+  const Report errors = summary(state.errors);
   report.median_error = errors.median_error, report.mean_error = errors.mean_error,
   report.worst_error = errors.worst_error;
   // The map must be gone before the header is written behind its back.
@@ -199,7 +198,7 @@ Result<AcquireReport> acquire(Mesostructure structure, const AcquireOptions& opt
   return report;
 }
 
-Result<Btf> acquire_in_memory(Mesostructure structure, const AcquireOptions& options, std::vector<float>& errors) {
+Result<Btf> measure_in_memory(Mesostructure structure, const Options& options, std::vector<float>& errors) {
   VAMP_TRY(Btf btf, Btf::in_memory(info_of(structure, options)));
   const std::vector<vec3> directions = directions_of(options.directions);
   const Goniometer goniometer(std::move(structure), directions, options.shadows, options.threads);
@@ -217,4 +216,4 @@ Result<Btf> acquire_in_memory(Mesostructure structure, const AcquireOptions& opt
   return btf;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

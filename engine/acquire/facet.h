@@ -9,7 +9,7 @@
 #include "engine/brdf/lobe.h"
 #include "engine/core/vec.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 // How a facet reflects: a body in the facet's colour under a coat in a colour of its own, added. The coat's x axis runs
 // along the facet's fibre.
@@ -34,4 +34,4 @@ struct Mesostructure {
   std::vector<Matter> matters;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire

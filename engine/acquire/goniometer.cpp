@@ -9,7 +9,7 @@
 #include "engine/brdf/kernel.h"
 #include "engine/core/check.h"
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 // Rays leave a facet from this far above it, in periods: some roundings, less than a hundredth of a facet.
@@ -23,11 +23,11 @@ float mean(vec3 c) { return (c.x + c.y + c.z) * (1.0f / 3); }
 
 // Where a path meets a facet: the frame with the normal as z and the fibre as x, and what reflects there.
 struct Goniometer::Vertex {
-  Vertex(const Goniometer& goniometer, const Layer::Hit& hit, vec3 direction)
+  Vertex(const Goniometer& goniometer, const FacetGrid::Hit& hit, vec3 direction)
       : index(hit.facet),
-        facet(goniometer.layer_.facets()[hit.facet]),
+        facet(goniometer.grid_.facets()[hit.facet]),
         matter(goniometer.matters_[facet.matter]),
-        z(goniometer.layer_.normal(hit.facet)),
+        z(goniometer.grid_.normal(hit.facet)),
         point(hit.point + z * kLift) {
     vec3 along = facet.fibre - z * glm::dot(z, facet.fibre);
     if (glm::dot(along, along) < 1e-8f) along = glm::cross(z, std::abs(z.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0));
@@ -53,7 +53,7 @@ struct Goniometer::Vertex {
 };
 
 Goniometer::Goniometer(Mesostructure structure, std::vector<vec3> lights, Shadows shadows, int threads)
-    : layer_(std::move(structure.facets)), matters_(std::move(structure.matters)), lights_(std::move(lights)) {
+    : grid_(std::move(structure.facets)), matters_(std::move(structure.matters)), lights_(std::move(lights)) {
   CHECK(lights_.size() <= kMaxLights);
   for (const Matter& matter : matters_)
     coat_albedo_.push_back(lobe_albedo(matter.coat, 0.7f) * mean(matter.coat_colour));
@@ -62,7 +62,7 @@ Goniometer::Goniometer(Mesostructure structure, std::vector<vec3> lights, Shadow
 }
 
 void Goniometer::tabulate_shadows(int threads) {
-  const std::vector<Facet>& facets = layer_.facets();
+  const std::vector<Facet>& facets = grid_.facets();
   lit_.assign(facets.size(), {});
   constexpr size_t kBlock = 4096;
   const auto blocks = static_cast<int>((facets.size() + kBlock - 1) / kBlock);
@@ -71,10 +71,10 @@ void Goniometer::tabulate_shadows(int threads) {
     for (size_t i = first; i < std::min(first + kBlock, facets.size()); ++i) {
       const auto index = static_cast<uint32_t>(i);
       const auto& c = facets[i].corner;
-      const vec3 normal = layer_.normal(index);
+      const vec3 normal = grid_.normal(index);
       const vec3 point = (c[0] + c[1] + c[2]) * (1.0f / 3) + normal * kLift;
       for (size_t l = 0; l < lights_.size(); ++l)
-        if (glm::dot(normal, lights_[l]) > 0 && !layer_.is_blocked(point, lights_[l], index))
+        if (glm::dot(normal, lights_[l]) > 0 && !grid_.is_blocked(point, lights_[l], index))
           lit_[i][l / 64] |= uint64_t{1} << (l % 64);
     }
     return true;
@@ -86,16 +86,15 @@ void Goniometer::find_reference_height() {
   double sum = 0;
   for (int y = 0; y < kRays; ++y)
     for (int x = 0; x < kRays; ++x) {
-      const vec3 above((static_cast<float>(x) + 0.5f) / kRays, (static_cast<float>(y) + 0.5f) / kRays,
-                       layer_.top() + 1);
-      const Layer::Hit hit = layer_.first_hit(above, vec3(0, 0, -1));
-      sum += static_cast<double>(hit.facet == Layer::kNone ? layer_.bottom() : hit.point.z);
+      const vec3 above((static_cast<float>(x) + 0.5f) / kRays, (static_cast<float>(y) + 0.5f) / kRays, grid_.top() + 1);
+      const FacetGrid::Hit hit = grid_.first_hit(above, vec3(0, 0, -1));
+      sum += static_cast<double>(hit.facet == FacetGrid::kNone ? grid_.bottom() : hit.point.z);
     }
   reference_height_ = static_cast<float>(sum / (kRays * kRays));
 }
 
 bool Goniometer::is_lit(const Vertex& vertex, size_t light) const {
-  return lit_.empty() ? !layer_.is_blocked(vertex.point, lights_[light], vertex.index)
+  return lit_.empty() ? !grid_.is_blocked(vertex.point, lights_[light], vertex.index)
                       : (lit_[vertex.index][light / 64] >> (light % 64) & 1) != 0;
 }
 
@@ -139,13 +138,12 @@ bool Goniometer::scatter(const Vertex& vertex, Random& random, vec3& throughput,
 
 template <class Gather>
 vec3 Goniometer::follow(vec2 place, vec3 view, Random& random, Gather gather) const {
-  vec3 origin =
-      vec3(place.x, place.y, reference_height_) + view * ((layer_.top() - reference_height_ + 1e-4f) / view.z);
+  vec3 origin = vec3(place.x, place.y, reference_height_) + view * ((grid_.top() - reference_height_ + 1e-4f) / view.z);
   vec3 direction = -view, throughput(1);
-  uint32_t from = Layer::kNone;
+  uint32_t from = FacetGrid::kNone;
   for (int i = 0; i < kMostVertices; ++i) {
-    const Layer::Hit hit = layer_.first_hit(origin, direction, from);
-    if (hit.facet == Layer::kNone) return direction.z > 0 ? throughput : vec3(0);
+    const FacetGrid::Hit hit = grid_.first_hit(origin, direction, from);
+    if (hit.facet == FacetGrid::kNone) return direction.z > 0 ? throughput : vec3(0);
     const Vertex vertex(*this, hit, direction);
     if (!(vertex.wo.z > 0)) return vec3(0);
     gather(vertex, throughput);
@@ -165,4 +163,4 @@ vec3 Goniometer::trace_sky(vec2 place, vec3 view, Random& random) const {
   return follow(place, view, random, [](const Vertex&, vec3) {});
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/acquire/layer.h"
+#include "engine/acquire/facet_grid.h"
 #include "engine/acquire/random.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 enum class Shadows {
   tabulated,  // one table for all: whether each light reaches the middle of each facet
@@ -25,7 +25,7 @@ class Goniometer {
   size_t light_count() const { return lights_.size(); }
   // Height of the plane that texels lie on, in periods: the mean of what is seen from above.
   float reference_height() const { return reference_height_; }
-  const Layer& layer() const { return layer_; }
+  const FacetGrid& grid() const { return grid_; }
 
   // Adds one path's estimate of the radiance that leaves the layer towards `view`, through the point `place` of the
   // reference plane, for each light: parallel, white, irradiance 1 on a plane that faces it. That is ReflectedCos.
@@ -47,7 +47,7 @@ class Goniometer {
   void tabulate_shadows(int threads);
   void find_reference_height();
 
-  Layer layer_;
+  FacetGrid grid_;
   std::vector<Matter> matters_;
   std::vector<float> coat_albedo_;  // of each matter, at 45 degrees
   std::vector<vec3> lights_;
@@ -55,4 +55,4 @@ class Goniometer {
   float reference_height_ = 0;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -4,7 +4,7 @@
 
 #include "engine/acquire/parallel.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 std::vector<Facet> height_field(int cells, double mm, const std::function<Skin(double u, double v)>& skin) {
   const auto side = static_cast<size_t>(cells);
@@ -34,4 +34,4 @@ std::vector<Facet> height_field(int cells, double mm, const std::function<Skin(d
   return facets;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -6,7 +6,7 @@
 
 #include "engine/acquire/facet.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 // What lies at a point.
 struct Skin {
@@ -20,4 +20,4 @@ struct Skin {
 // left corner. `skin` is asked on several threads, with u and v in [0, 1), and must repeat.
 std::vector<Facet> height_field(int cells, double mm, const std::function<Skin(double u, double v)>& skin);
 
-}  // namespace vamp
+}  // namespace vamp::acquire

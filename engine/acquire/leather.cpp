@@ -5,7 +5,7 @@
 
 #include "engine/acquire/noise.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 std::vector<Setting> Leather::settings() {
   return {
@@ -76,4 +76,4 @@ Mesostructure Leather::build(int cells) const {
           height_field(cells, static_cast<double>(mm), [this](double u, double v) { return skin(u, v); }), matters()};
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -3,7 +3,7 @@
 #include "engine/acquire/height_field.h"
 #include "engine/acquire/structure.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 struct Leather : Structure {
   std::string name = "leather";
@@ -32,4 +32,4 @@ struct Leather : Structure {
   std::vector<Matter> matters() const;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire

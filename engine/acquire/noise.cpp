@@ -5,7 +5,7 @@
 
 #include "engine/acquire/random.h"
 
-namespace vamp::noise {
+namespace vamp::acquire::noise {
 namespace {
 
 int64_t wrap(int64_t value, int64_t period) { return ((value % period) + period) % period; }
@@ -72,4 +72,4 @@ CellPoint cells(double u, double v, int count_x, int count_y, double jitter, uin
   return {edge, std::sqrt(sites[best].distance2), -sites[best].offset, sites[best].id};
 }
 
-}  // namespace vamp::noise
+}  // namespace vamp::acquire::noise

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-namespace vamp::noise {
+namespace vamp::acquire::noise {
 
 // 0 to 1, from a hash of a lattice point.
 double hash01(int64_t x, int64_t y, uint32_t seed);
@@ -30,4 +30,4 @@ inline double smooth_step(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-}  // namespace vamp::noise
+}  // namespace vamp::acquire::noise

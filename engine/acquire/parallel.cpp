@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-namespace vamp {
+namespace vamp::acquire {
 
 bool parallel(int threads, int count, const std::function<bool(int)>& work) {
   if (threads == 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -22,4 +22,4 @@ bool parallel(int threads, int count, const std::function<bool(int)>& work) {
   return going;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

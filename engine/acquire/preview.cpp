@@ -7,7 +7,7 @@
 #include "engine/core/direction_set.h"
 #include "engine/core/progress.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 Image preview(const Mesostructure& structure, int side, int samples, int threads, Progress& progress) {
   const auto towards = [](double theta, double phi) {
@@ -15,11 +15,11 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
     return vec3(direction_of({theta * kDegree, phi * kDegree}));
   };
   // The lights of the two pictures, then those that fill the shadows.
-  std::vector<vec3> lights = {towards(30, 130), towards(60, 130)};
+  std::vector<vec3> lights = {towards(30, 130), towards(55, 130)};
   const DirectionSet all = ubo81();
   for (size_t i = 0; i < all.size(); i += 4) lights.emplace_back(all[i]);
   constexpr float kFill = 0.25f;
-  const vec3 views[2] = {towards(0, 0), towards(45, 250)};
+  const vec3 views[2] = {towards(0, 0), towards(45, 310)};
   const Goniometer goniometer(structure, lights, Shadows::tabulated, threads);
 
   Image image(2 * side, side, {"R", "G", "B"});
@@ -48,4 +48,4 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
   return image;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

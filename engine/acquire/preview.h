@@ -4,12 +4,15 @@
 #include "engine/image/image.h"
 
 namespace vamp {
-
 class Progress;
+}
 
-// Two pictures side by side, `side` pixels square each, of one period seen from above (left) and at 45 degrees (right,
-// drawn on the texels as a goniometer does): lit from the upper left at 30 and at 60 degrees from the normal, with a
+namespace vamp::acquire {
+
+// Two pictures side by side, `side` pixels square each, of one period: seen from above with a light at 30 degrees from
+// the normal (left), and seen from the lower right at 45 degrees, drawn on the texels as a goniometer does, with a light
+// at 55 degrees, near the mirror direction (right). Both lights stand at the upper left, and there is a
 // little light from everywhere. Channels R, G, B: radiance that a white Lambert plane facing the light would show as 1.
 Image preview(const Mesostructure& structure, int side, int samples, int threads, Progress& progress);
 
-}  // namespace vamp
+}  // namespace vamp::acquire

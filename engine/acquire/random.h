@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace vamp {
+namespace vamp::acquire {
 
 // SplitMix64's finaliser (Steele et al. 2014, "Fast splittable pseudorandom number generators").
 constexpr uint64_t mix_bits(uint64_t z) {
@@ -30,4 +30,4 @@ class Random {
   uint64_t state_;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire

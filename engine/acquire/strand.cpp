@@ -7,7 +7,7 @@
 #include "engine/acquire/noise.h"
 #include "engine/core/check.h"
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 using glm::dvec3;
@@ -124,4 +124,4 @@ std::vector<dvec3> wander(const Wander& how, const std::function<double(double)>
   return points;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

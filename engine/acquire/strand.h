@@ -7,7 +7,7 @@
 
 #include "engine/acquire/facet.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 struct Strand {
   std::vector<glm::dvec3> centre;  // mm, at least 2 points
@@ -45,4 +45,4 @@ struct Wander {
 };
 std::vector<glm::dvec3> wander(const Wander& how, const std::function<double(double)>& rise);
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 Result<Setting> find(Structure& structure, std::string_view name) {
@@ -55,4 +55,4 @@ Status set(Structure& structure, std::string_view name, vec3 colour) {
   return {};
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

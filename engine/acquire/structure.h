@@ -10,7 +10,7 @@
 #include "engine/acquire/facet.h"
 #include "engine/core/error.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 // A number or a colour (linear Rec.709, each channel in the range) that makes one material out of another.
 struct Setting {
@@ -46,4 +46,4 @@ Result<std::unique_ptr<Structure>> make_structure(std::string_view name);
 Status set(Structure& structure, std::string_view name, float value);
 Status set(Structure& structure, std::string_view name, vec3 colour);
 
-}  // namespace vamp
+}  // namespace vamp::acquire

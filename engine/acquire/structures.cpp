@@ -1,8 +1,15 @@
 // The names, and the settings that make a material of a kind.
+#include "engine/acquire/air_mesh.h"
+#include "engine/acquire/corduroy.h"
+#include "engine/acquire/emboss.h"
+#include "engine/acquire/felt.h"
+#include "engine/acquire/knit.h"
 #include "engine/acquire/leather.h"
+#include "engine/acquire/perforated.h"
+#include "engine/acquire/suede.h"
 #include "engine/acquire/weave.h"
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 using Made = std::unique_ptr<Structure>;
@@ -66,16 +73,84 @@ Made canvas() {
   return cloth;
 }
 
+Made twill() {
+  auto cloth = std::make_unique<Weave>();
+  cloth->name = "twill";
+  cloth->over = cloth->under = 2;
+  return cloth;
+}
+
+Made calf() {
+  auto leather = std::make_unique<Leather>();
+  leather->name = "calf";
+  leather->plates = 20;
+  leather->plate_height = 0.075f;
+  leather->wrinkles = 0.018f;
+  leather->pores = 0.18f;
+  leather->pore_depth = 0.05f;
+  leather->roughness = 0.25f;
+  return leather;
+}
+
+Made patent() {
+  auto leather = std::make_unique<Leather>();
+  leather->name = "patent";
+  leather->plates = 5;
+  leather->plate_height = 0.02f;
+  leather->crease_width = 1;
+  leather->wrinkles = 0;
+  leather->pores = 0;
+  leather->mottling = 0.04f;
+  leather->colour = vec3(0.02f, 0.02f, 0.022f);
+  leather->crease_colour = vec3(0.012f, 0.012f, 0.014f);
+  leather->roughness = 0.08f;
+  leather->f0 = 0.06f;
+  return leather;
+}
+
+Made nubuck() {
+  auto nap = std::make_unique<Suede>();
+  nap->name = "nubuck";
+  nap->density = 320;
+  nap->length = 0.11f;
+  nap->radius = 0.02f;
+  nap->lean = 0.7f;
+  nap->ruffle = 0.8f;
+  nap->ground = 0.035f;
+  nap->colour = vec3(0.52f, 0.36f, 0.185f);
+  nap->root_colour = vec3(0.46f, 0.31f, 0.155f);
+  nap->mottling = 0.14f;
+  return nap;
+}
+
+Made crocodile() {
+  auto leather = std::make_unique<Emboss>();
+  leather->name = "crocodile";
+  return leather;
+}
+
 constexpr StructureRow kRows[] = {
-    {"leather", "Grained leather with creases and pores, lightly finished", plain<Leather>},
-    {"plain", "Plain weave", plain<Weave>},
+    {"calf", "Grained calf leather, lightly finished", calf},
+    {"patent", "Patent leather, black", patent},
+    {"nubuck", "Nubuck: buffed grain with a short nap", nubuck},
+    {"suede", "Suede: a longer nap, brushed and ruffled", plain<Suede>},
+    {"crocodile", "Leather embossed with crocodile scales, glazed", crocodile},
+    {"perforated", "White leather with staggered holes over a dark lining", plain<Perforated>},
     {"wool-twill", "2/2 twill of grey melange wool", wool_twill},
     {"denim", "3/1 twill, indigo warp over white weft", denim},
     {"canvas", "Plain weave of thick raw cotton", canvas},
+    {"corduroy", "Corduroy: ribs of pile", plain<Corduroy>},
+    {"felt", "Wool felt", plain<Felt>},
+    {"air-mesh", "Air mesh: a knitted face with holes over a dark back", plain<AirMesh>},
+    {"plain", "Plain weave, grey", plain<Weave>},
+    {"twill", "2/2 twill, grey", twill},
+    {"knit", "Plain jersey", plain<Knit>},
+    {"leather", "Leather with a coarse grain, creases and pores", plain<Leather>},
+    {"emboss", "The crocodile's kind, for patterns of one's own", plain<Emboss>},
 };
 
 }  // namespace
 
 std::span<const StructureRow> structures() { return kRows; }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vamp {
+namespace vamp::acquire {
 
-TexelMeter::TexelMeter(const Goniometer& goniometer, const std::vector<vec3>& views, const AcquireOptions& options)
+TexelMeter::TexelMeter(const Goniometer& goniometer, const std::vector<vec3>& views, const Options& options)
     : goniometer_(goniometer), views_(views), options_(options) {
   const size_t values = 3 * goniometer.light_count();
   values_.resize(views.size() * values);
@@ -55,4 +55,4 @@ double TexelMeter::measure_view(size_t x, size_t y, size_t view, std::span<float
   return samples > 1 ? differences / (2.0 * (samples - 1) * samples) : 0;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -5,15 +5,15 @@
 
 #include "engine/acquire/acquire.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 class TexelMeter {
  public:
   // All three must outlive it. One for each thread.
-  TexelMeter(const Goniometer& goniometer, const std::vector<vec3>& views, const AcquireOptions& options);
+  TexelMeter(const Goniometer& goniometer, const std::vector<vec3>& views, const Options& options);
 
   // Measures texel (x, y); which random numbers it draws depends on the texel and the seed alone. Returns the relative
-  // standard error (AcquireReport).
+  // standard error (Report).
   float measure(size_t x, size_t y);
 
   // [view][light][channel], ReflectedCos.
@@ -25,11 +25,11 @@ class TexelMeter {
 
   const Goniometer& goniometer_;
   const std::vector<vec3>& views_;
-  const AcquireOptions& options_;
+  const Options& options_;
   int columns_ = 1;  // of strata
   std::vector<float> values_;
   std::vector<float> sample_, before_;
   std::vector<double> sum_;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire

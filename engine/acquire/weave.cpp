@@ -7,7 +7,7 @@
 #include "engine/acquire/noise.h"
 #include "engine/acquire/strand.h"
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 using glm::dvec3;
@@ -137,4 +137,4 @@ Mesostructure Weave::build(int cells) const {
   return result;
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

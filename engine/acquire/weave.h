@@ -2,7 +2,7 @@
 // Woven cloth: two families of elliptical yarns that pass over and under each other.
 #include "engine/acquire/structure.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
 struct Weave : Structure {
   std::string name = "weave";
@@ -29,4 +29,4 @@ struct Weave : Structure {
   Mesostructure build(int cells) const override;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire

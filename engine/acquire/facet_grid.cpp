@@ -1,4 +1,4 @@
-#include "engine/acquire/layer.h"
+#include "engine/acquire/facet_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "engine/core/check.h"
 
-namespace vamp {
+namespace vamp::acquire {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -55,7 +55,7 @@ void move(Facet& facet, vec3 by) {
 
 }  // namespace
 
-Layer::Layer(std::vector<Facet> facets) : facets_(std::move(facets)) {
+FacetGrid::FacetGrid(std::vector<Facet> facets) : facets_(std::move(facets)) {
   std::erase_if(facets_, [](const Facet& facet) { return !has_area(facet); });
   CHECK(!facets_.empty());
   wrap_facets();
@@ -63,7 +63,7 @@ Layer::Layer(std::vector<Facet> facets) : facets_(std::move(facets)) {
 }
 
 // Each facet is brought to where its lowest corner lies in the unit square, and copied where it reaches beyond.
-void Layer::wrap_facets() {
+void FacetGrid::wrap_facets() {
   const size_t count = facets_.size();
   for (size_t i = 0; i < count; ++i) {
     const vec3 low = box_of(facets_[i]).low;
@@ -79,7 +79,7 @@ void Layer::wrap_facets() {
   }
 }
 
-void Layer::fill_cells() {
+void FacetGrid::fill_cells() {
   // About two facets a cell, as a height field has.
   const double cells_a_side = std::sqrt(static_cast<double>(facets_.size()) / 2);
   side_ = std::clamp(static_cast<int>(std::lround(cells_a_side / kBlock)), 1, 512) * kBlock;
@@ -120,7 +120,7 @@ void Layer::fill_cells() {
 }
 
 // A ray and what it has met. Where the ray wraps, its origin moves by a period and the parameter runs on.
-struct Layer::Search {
+struct FacetGrid::Search {
   vec3 origin, direction;
   uint32_t ignored;
   float end;  // of the ray
@@ -151,7 +151,7 @@ struct Steps {
 
 // True when the search is over.
 template <bool kAny>
-bool Layer::walk_block(int block_x, int block_y, float enter, float leave, Search& search) const {
+bool FacetGrid::walk_block(int block_x, int block_y, float enter, float leave, Search& search) const {
   const auto side = static_cast<float>(side_);
   const vec3 at = search.origin + search.direction * enter;
   const int low_x = block_x * kBlock, low_y = block_y * kBlock;
@@ -186,7 +186,7 @@ bool Layer::walk_block(int block_x, int block_y, float enter, float leave, Searc
 }
 
 template <bool kAny>
-Layer::Hit Layer::walk(vec3 origin, vec3 direction, uint32_t ignored) const {
+FacetGrid::Hit FacetGrid::walk(vec3 origin, vec3 direction, uint32_t ignored) const {
   if (origin.z > top_) {
     if (direction.z >= 0) return {};
     origin += direction * ((top_ - origin.z) / direction.z);
@@ -221,17 +221,17 @@ Layer::Hit Layer::walk(vec3 origin, vec3 direction, uint32_t ignored) const {
   return search.hit;
 }
 
-Layer::Hit Layer::first_hit(vec3 origin, vec3 direction, uint32_t ignored) const {
+FacetGrid::Hit FacetGrid::first_hit(vec3 origin, vec3 direction, uint32_t ignored) const {
   return walk<false>(origin, direction, ignored);
 }
 
-bool Layer::is_blocked(vec3 origin, vec3 direction, uint32_t ignored) const {
+bool FacetGrid::is_blocked(vec3 origin, vec3 direction, uint32_t ignored) const {
   return walk<true>(origin, direction, ignored).facet != kNone;
 }
 
-vec3 Layer::normal(uint32_t facet) const {
+vec3 FacetGrid::normal(uint32_t facet) const {
   const auto& c = facets_[facet].corner;
   return glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
 }
 
-}  // namespace vamp
+}  // namespace vamp::acquire

@@ -5,13 +5,13 @@
 
 #include "engine/acquire/facet.h"
 
-namespace vamp {
+namespace vamp::acquire {
 
-class Layer {
+class FacetGrid {
  public:
   // At least one facet with an area; corners finite. Facets that reach over a side of the unit square are copied to the
   // other one.
-  explicit Layer(std::vector<Facet> facets);
+  explicit FacetGrid(std::vector<Facet> facets);
 
   static constexpr uint32_t kNone = ~0u;
   struct Hit {
@@ -51,4 +51,4 @@ class Layer {
   float top_ = 0, bottom_ = 0;
 };
 
-}  // namespace vamp
+}  // namespace vamp::acquire
