@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/core/check.h"
+#include "engine/btf/btf_checksum.h"
 
 namespace vamp {
 namespace {
@@ -45,6 +45,8 @@ Result<BdiHeader> read_bdi_header(std::span<const std::byte> bytes, std::string_
   header.mask = cursor.take(uint64_t{bonn.width} * bonn.height, "mask");
   header.rotation_count = cursor.number<uint32_t>("number of rotations");
   cursor.take(header.rotation_count * 9 * sizeof(float), "rotations");
+  VAMP_CHECK_STATUS(cursor.status());
+  VAMP_CHECK_STATUS(check_checksum(bytes.first(cursor.at()), header.bonn, file));
   header.stored_texels = header.mask.size() - static_cast<uint64_t>(std::ranges::count(header.mask, std::byte{0}));
   header.texels_per_chunk = uint64_t{header.rows_per_chunk} * bonn.width;
   header.bytes_per_texel = bonn.channels.size() * bonn.lights.size() * bonn.views.size() * sizeof(Half);
@@ -72,11 +74,13 @@ Result<Btf> Btf::create(const fs::path& path, BtfInfo info) {
 
   ByteWriter writer;
   const size_t behind_header = 3 * sizeof(uint32_t) + sizeof(uint8_t) + texels;
-  write_bonn_header(writer, bonn_header_of(info, BonnKind::bdi), behind_header, kAlignment);
+  BonnHeader header = bonn_header_of(info, BonnKind::bdi);
+  write_bonn_header(writer, header, behind_header, kAlignment);
   writer.number(rows);
   writer.number(kSparseUncompressed);
   writer.bytes().resize(writer.size() + texels, std::byte{1});
   writer.number(uint32_t{0});  // rotations
+  write_checksum(writer.bytes(), header);
   const uint64_t first_chunk = writer.size();
   const uint64_t chunks = (info.height + uint64_t{rows} - 1) / rows;
 

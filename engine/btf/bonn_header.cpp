@@ -52,7 +52,11 @@ void read_description(Cursor& cursor, BonnHeader& header) {
     cursor.refuse(place, "pixels per mm", "a number from 0", fmt::format("{}", header.pixels_per_mm));
   for (float& scale : header.rgb_scale) scale = cursor.number<float>("RGB scale");
   header.has_cosine = version > 1 && cursor.number<uint32_t>("cosine flag") != 0;
-  if (version > 2) header.xml = cursor.text(cursor.number<uint32_t>("size of the XML"), "XML");
+  if (version > 2) {
+    const auto bytes = cursor.number<uint32_t>("size of the XML");
+    header.xml_place = cursor.at();
+    header.xml = cursor.text(bytes, "XML");
+  }
   if (version > 3) {
     header.channels.resize(cursor.count("number of channels", 1, kMaxChannels));
     for (std::string& name : header.channels)
@@ -101,6 +105,8 @@ void write_direction(ByteWriter& writer, const dvec3& direction) {
   writer.number(static_cast<float>(angles.phi));
 }
 
+// Beside the XML element a second sign of our own files, so that damage to one does not make a file another's.
+constexpr const char* kOurSensor = "Vamp";
 constexpr const char* kLogYuv[] = {"log Y", "log U", "log V"};
 
 }  // namespace
@@ -128,7 +134,9 @@ Result<BonnHeader> read_bonn_header(Cursor& cursor) {
   return header;
 }
 
-void write_bonn_header(ByteWriter& writer, const BonnHeader& header, size_t further, size_t alignment) {
+bool is_ours(const BonnHeader& header) { return header.sensor == kOurSensor || has_btf_xml(header.xml); }
+
+void write_bonn_header(ByteWriter& writer, BonnHeader& header, size_t further, size_t alignment) {
   size_t names = 0;
   for (const std::string& name : header.channels) names += sizeof(uint32_t) + name.size();
   const size_t lights = header.lights.size() * 2 * sizeof(float);
@@ -146,6 +154,7 @@ void write_bonn_header(ByteWriter& writer, const BonnHeader& header, size_t furt
   for (const float scale : header.rgb_scale) writer.number(scale);
   writer.number(uint32_t{header.has_cosine});
   writer.number(static_cast<uint32_t>(header.xml.size() + padding));
+  header.xml_place = writer.size();
   writer.text(header.xml + std::string(padding, ' '));
   writer.number(static_cast<uint32_t>(header.channels.size()));
   for (const std::string& name : header.channels) {
@@ -185,6 +194,7 @@ BonnHeader bonn_header_of(const BtfInfo& info, BonnKind kind) {
   for (const Signature& signature : kSignatures)
     if (signature.kind == kind) header.signature = signature.text;
   header.setup = info.provenance;
+  header.sensor = kOurSensor;
   header.xml = btf_xml(info);
   if (info.mm_per_texel > 0) header.pixels_per_mm = 1 / info.mm_per_texel;
   header.has_cosine = true;

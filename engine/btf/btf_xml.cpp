@@ -51,9 +51,20 @@ std::optional<std::string> attribute(std::string_view element, std::string_view 
 }  // namespace
 
 std::string btf_xml(const BtfInfo& info) {
-  return fmt::format("<vamp name=\"{}\" provenance=\"{}\" licence=\"{}\" mm_per_texel=\"{}\" synthetic=\"{}\"/>",
-                     escaped(info.name), escaped(info.provenance), escaped(info.licence), info.mm_per_texel,
-                     info.synthetic ? "yes" : "no");
+  return fmt::format(
+      "<vamp name=\"{}\" provenance=\"{}\" licence=\"{}\" mm_per_texel=\"{}\" synthetic=\"{}\" "
+      "checksum=\"{:016}\"/>",
+      escaped(info.name), escaped(info.provenance), escaped(info.licence), info.mm_per_texel,
+      info.synthetic ? "yes" : "no", 0);
+}
+
+bool has_btf_xml(std::string_view xml) { return xml.find(kElement) != std::string_view::npos; }
+
+std::optional<size_t> checksum_place(std::string_view xml) {
+  constexpr std::string_view kStart = " checksum=\"";
+  const size_t at = xml.find(kStart);
+  if (at == std::string_view::npos) return {};
+  return at + kStart.size();
 }
 
 bool read_btf_xml(std::string_view xml, BtfInfo& info) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/btf/bonn_header.h"
+#include "engine/btf/btf_checksum.h"
 
 namespace vamp {
 namespace {
@@ -154,6 +155,7 @@ Result<FactoredBtf> read_factored_btf(std::span<const std::byte> bytes, std::str
   if (cursor.left() > 0)
     cursor.refuse(cursor.at(), "end", "the end of the file", fmt::format("{} bytes", cursor.left()));
   VAMP_CHECK_STATUS(cursor.status());
+  VAMP_CHECK_STATUS(check_checksum(bytes, header, file));
   return btf;
 }
 
@@ -192,6 +194,7 @@ Status write_factored_btf(const fs::path& path, const FactoredBtf& btf) {
     for (const auto* values : {&factors.s, &factors.u, &factors.sxv})
       write_scalars(writer, *values, factors.scalar_bytes);
   }
+  write_checksum(writer.bytes(), header);
   return write_file_atomically(path, writer.bytes());
 }
 

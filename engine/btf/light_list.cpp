@@ -43,6 +43,17 @@ std::optional<double> number(std::string_view word) {
   return value;
 }
 
+// Most lists hold unit vectors. There a vector of another length is a damaged number, which nothing else would tell.
+Status check_lengths(std::span<const double> lengths, std::span<const size_t> lines, std::string_view file) {
+  const auto is_unit = [](double length) { return std::abs(length - 1) < 2e-3; };
+  if (std::ranges::count_if(lengths, is_unit) * 2 < std::ssize(lengths)) return {};
+  for (size_t i = 0; i < lengths.size(); ++i)
+    if (!is_unit(lengths[i]))
+      return fail(ErrorKind::bad_input, file, fmt::format("line {}", lines[i]), "a unit vector, as in the other lines",
+                  fmt::format("one of length {:.4f}", lengths[i]));
+  return {};
+}
+
 // Lists are written on one machine and read on another: "C:\dome\a.jpg" and "/home/me/a.jpg" become "a.jpg", unless the
 // file stands under the list's folder as it is written.
 Result<fs::path> file_beside(const fs::path& list, const std::string& name, std::string_view place) {
@@ -64,6 +75,8 @@ Result<ImageSet> parse_light_list(std::string_view text, std::string_view file) 
   ImageSet images;
   images.source = file;
   std::vector<dvec3> lights;
+  std::vector<double> lengths;
+  std::vector<size_t> lines;
   std::optional<size_t> count;
   size_t line_number = 0;
   while (!text.empty()) {
@@ -94,10 +107,13 @@ Result<ImageSet> parse_light_list(std::string_view text, std::string_view file) 
       return fail(ErrorKind::bad_input, file, place, fmt::format("the end after {} pictures", *count), "more");
     lights.emplace_back(*x / length, *y / length, *z / length);
     images.files.emplace_back(std::string(name));
+    lengths.push_back(length);
+    lines.push_back(line_number);
   }
   if (lights.size() != count.value_or(0) || lights.empty())
     return fail(ErrorKind::bad_input, file, "end", fmt::format("{} pictures", count.value_or(1)),
                 std::to_string(lights.size()));
+  VAMP_CHECK_STATUS(check_lengths(lengths, lines, file));
   images.views = named_direction_set({{0, 0, 1}});
   images.lights = named_direction_set(std::move(lights));
   return images;

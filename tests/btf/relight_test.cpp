@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(LightList, NormalisesLightsAndTakesBlanksInNames) {
-  const auto images = parse_light_list("2\r\nmy icon 1.jpg 0 0 2\r\n\r\nb.jpg +3 -4.0 12e0\r\n", "a.lp");
+  const auto images = parse_light_list("2\r\nmy icon 1.jpg 0 0 20\r\n\r\nb.jpg +3 -4.0 12e0\r\n", "a.lp");
   ASSERT_TRUE(images) << images.error().message();
   EXPECT_EQ(images->files[0], "my icon 1.jpg");
   EXPECT_EQ(images->lights[0], dvec3(0, 0, 1));
@@ -33,6 +33,8 @@ TEST(LightList, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message("1\na.jpg 0 0 nan\n"), "a.lp: line 2: expected a file and three numbers, found \"a.jpg 0 0 nan\"");
   EXPECT_EQ(message("1\na.jpg 0 1 -0.1\n"),
             "a.lp: line 2: expected a light in front of the object (z > 0), found 0 1 -0.1");
+  EXPECT_EQ(message("2\na.jpg 0 0 1\nb.jpg 0.6 0 0.5\n"),
+            "a.lp: line 3: expected a unit vector, as in the other lines, found one of length 0.7810");
   EXPECT_THAT(message("a.jpg 0 0 1\n"), HasSubstr("how many pictures follow"));
   EXPECT_THAT(message(""), HasSubstr("end: expected 1 pictures, found 0"));
 }
