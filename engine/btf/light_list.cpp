@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "engine/btf/text_lines.h"
 #include "engine/core/check.h"
 
 namespace vamp {
@@ -18,13 +18,6 @@ constexpr size_t kMaxLights = 16384;
 // A light in the plane of the object lights nothing.
 constexpr double kLowestZ = 1e-6;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
 // Cuts the last word off the line.
 std::string_view take_last_word(std::string_view& line) {
   line = trimmed(line);
@@ -33,14 +26,6 @@ std::string_view take_last_word(std::string_view& line) {
   const std::string_view word = line.substr(start);
   line = line.substr(0, start);
   return word;
-}
-
-std::optional<double> number(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (code != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return {};
-  return value;
 }
 
 // Most lists hold unit vectors. There a vector of another length is a damaged number, which nothing else would tell.
@@ -80,14 +65,12 @@ Result<ImageSet> parse_light_list(std::string_view text, std::string_view file) 
   std::optional<size_t> count;
   size_t line_number = 0;
   while (!text.empty()) {
-    const size_t end = text.find('\n');
-    std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    std::string_view line = take_line(text);
     ++line_number;
     if (line.empty()) continue;
     const std::string place = fmt::format("line {}", line_number);
     if (!count) {
-      const auto value = number(line);
+      const auto value = number_of(line);
       if (!value || *value < 1 || *value > static_cast<double>(kMaxLights) || *value != std::floor(*value))
         return fail(ErrorKind::bad_input, file, place, fmt::format("how many pictures follow, 1 to {}", kMaxLights),
                     fmt::format("\"{}\"", line.substr(0, 40)));
@@ -95,7 +78,8 @@ Result<ImageSet> parse_light_list(std::string_view text, std::string_view file) 
       continue;
     }
     const std::string_view whole = line.substr(0, 80);
-    const auto z = number(take_last_word(line)), y = number(take_last_word(line)), x = number(take_last_word(line));
+    const auto z = number_of(take_last_word(line)), y = number_of(take_last_word(line)),
+               x = number_of(take_last_word(line));
     const std::string_view name = trimmed(line);
     if (!x || !y || !z || name.empty())
       return fail(ErrorKind::bad_input, file, place, "a file and three numbers", fmt::format("\"{}\"", whole));

@@ -115,10 +115,10 @@ Status MemoryMap::flush(const fs::path& path) const {
 
 void MemoryMap::forget(uint64_t offset, uint64_t count) const {
   if (!has_file_ || offset >= size_) return;
-  // Whole pages inside the range: their neighbours may still be looked at.
+  // Whole pages. The one before the range goes too, so that a pass in pieces lets go of all; the one behind comes next.
   const auto page = static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
-  const uint64_t end = std::min<uint64_t>(offset + std::min<uint64_t>(count, size_ - offset), size_);
-  const uint64_t first = (offset + page - 1) / page * page;
+  const uint64_t end = offset + std::min<uint64_t>(count, size_ - offset);
+  const uint64_t first = offset / page * page;
   const uint64_t last = end == size_ ? end : end / page * page;
   if (first < last) ::madvise(data_ + first, last - first, MADV_DONTNEED);
 }

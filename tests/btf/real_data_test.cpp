@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/btf/alta.h"
 #include "engine/btf/cursor.h"
 #include "engine/btf/light_list.h"
 #include "engine/btf/load_btf.h"
@@ -145,6 +146,21 @@ TEST_F(RealData, ThePhotographsOfTheIconAreReadAndAPtmOf54LightsPredictsTheOther
   RecordProperty("psnr_ptm", std::to_string(psnr_of(of_ptm)));
   std::printf("PSNR of 18 held-out lights: PTM %.2f dB, mean photograph %.2f dB\n", psnr_of(of_ptm), psnr_of(of_mean));
   EXPECT_GT(psnr_of(of_ptm), psnr_of(of_mean) + 2);
+}
+
+TEST_F(RealData, TheTapeSendsLightBackToWhereItCameFrom) {
+  const auto tape = read_alta(data_ / "brdf-raw/retro-3M-jaune.dat");
+  ASSERT_TRUE(tape) << tape.error().message();
+  EXPECT_EQ(tape->name, "3M Yellow");
+  EXPECT_EQ(tape->samples.size() + tape->left_out, 7397u);
+  // Of all samples under light from 30 degrees the brightest is seen from within 5 degrees of the light.
+  const BrdfSample* brightest = nullptr;
+  for (const BrdfSample& sample : tape->samples)
+    if (std::abs(std::acos(sample.wi.z) - 0.5236) < 1e-3 &&
+        (brightest == nullptr || sample.value[0] > brightest->value[0]))
+      brightest = &sample;
+  ASSERT_NE(brightest, nullptr);
+  EXPECT_GT(glm::dot(brightest->wi, brightest->wo), std::cos(0.0873));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// Measurements from one place: light lists and polynomial texture maps.
+// Measurements with less than a BTF: light lists, polynomial texture maps, lists of samples.
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numeric>
 #include <random>
 
+#include "engine/btf/alta.h"
 #include "engine/btf/light_list.h"
 #include "engine/btf/load_btf.h"
 #include "engine/btf/ptm.h"
@@ -144,6 +145,35 @@ TEST_F(Relight, TooFewLightsMakeNoPtm) {
   const Btf btf = polynomial();
   const std::vector<size_t> ring = {1, 2, 3, 4, 5, 6};
   EXPECT_FALSE(fit_ptm(btf, ring, true, PictureCurve::srgb));  // on one circle
+}
+
+constexpr const char* kAltaHead = "#SAMPLE \"tape\"\n#DIM 3 1\n#PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI\n";
+
+TEST(Alta, SamplesBecomeReflectedCos) {
+  const std::string lines = "0.5 -0.6 0.8 0.2\n\n0.5 0 0 3\n0.5 1.57 0 7\n";
+  const auto plain = parse_alta(std::string(kAltaHead) + "#PARAM_OUT INV_STERADIAN\n" + lines, "a.dat");
+  ASSERT_TRUE(plain) << plain.error().message();
+  EXPECT_EQ(plain->name, "tape");
+  EXPECT_EQ(plain->left_out, 1u);
+  ASSERT_EQ(plain->samples.size(), 2u);
+  EXPECT_NEAR(plain->samples[0].value[1], 0.2 * std::cos(0.5), 1e-6);
+  EXPECT_NEAR(plain->samples[0].wo.z, std::cos(1.0), 1e-12);
+  EXPECT_NEAR(plain->samples[0].wo.x / plain->samples[0].wo.y, -0.6 / 0.8, 1e-12);
+  const auto viewer = parse_alta(std::string(kAltaHead) + "#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n" + lines, "a.dat");
+  ASSERT_TRUE(viewer) << viewer.error().message();
+  EXPECT_NEAR(viewer->samples[0].value[2], 0.2 * std::cos(0.5) / std::cos(1.0), 1e-6);
+}
+
+TEST(Alta, SaysWhatIsWrongAndWhere) {
+  const auto message = [](const std::string& text) { return parse_alta(text, "a.dat").error().message(); };
+  EXPECT_THAT(message("#DIM 1 3\n"), HasSubstr("line 1: expected #DIM 3 1 or 3 3"));
+  EXPECT_THAT(message("#DIM 3 1\n#PARAM_IN COS_TH\n"),
+              HasSubstr("line 2: expected #PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI"));
+  EXPECT_THAT(message("0 0 0 1\n"), HasSubstr("line 1: expected #DIM, #PARAM_IN and #PARAM_OUT before the samples"));
+  const std::string head = std::string(kAltaHead) + "#PARAM_OUT INV_STERADIAN\n";
+  EXPECT_THAT(message(head + "0 0 0 inf\n"), HasSubstr("line 5: expected three angles in radians and 1 values"));
+  EXPECT_THAT(message(head + "0 0 0 1 2\n"), HasSubstr("line 5"));
+  EXPECT_THAT(message(head), HasSubstr("expected samples above the horizon, found none"));
 }
 
 }  // namespace
