@@ -12,9 +12,11 @@ namespace {
 
 constexpr double kUnitSlack = 2e-6;  // of the squared length
 
+// 0 for what is no direction.
 dvec3 unit_direction(dvec3 w) {
   const double length2 = glm::dot(w, w);
-  return std::abs(length2 - 1) <= kUnitSlack || length2 == 0 ? w : w / std::sqrt(length2);
+  if (std::abs(length2 - 1) <= kUnitSlack) return w;
+  return length2 > 0 && std::isfinite(length2) ? w / std::sqrt(length2) : dvec3(0);
 }
 
 // Whether turning wi and wo together about the normal changes the lobe.
@@ -37,13 +39,13 @@ bool is_anisotropic(const Lobe& lobe) {
 vec3 unit_direction(vec3 w) { return vec3(unit_direction(dvec3(w))); }
 
 double fcos(const Lobe& lobe, dvec3 wi, dvec3 wo) {
-  if (!(wi.z > 0 && wo.z > 0)) return 0;
-  return brdf_f64::eval(lobe, unit_direction(wi), unit_direction(wo));
+  const dvec3 i = unit_direction(wi), o = unit_direction(wo);
+  return i.z > 0 && o.z > 0 ? brdf_f64::eval(lobe, i, o) : 0;
 }
 
 float fcos(const Lobe& lobe, vec3 wi, vec3 wo) {
-  if (!(wi.z > 0 && wo.z > 0)) return 0;
-  return brdf_f32::eval(lobe, unit_direction(wi), unit_direction(wo));
+  const vec3 i = unit_direction(wi), o = unit_direction(wo);
+  return i.z > 0 && o.z > 0 ? brdf_f32::eval(lobe, i, o) : 0;
 }
 
 float lobe_value(const PackedLobe& lobe, vec3 wi, vec3 wo) {

@@ -53,7 +53,7 @@ PackedLobe pack_lobe(const Lobe& lobe);
 uint32_t lobe_models_bit(const Lobe& lobe);
 
 // The nearest float direction of length 1. One whose squared length is off by less than 2e-6 is kept as it is: touching
-// its last bits would cost a sharp highlight digits.
+// its last bits would cost a sharp highlight digits. 0 for what is no direction: 0, infinite, NaN.
 vec3 unit_direction(vec3 w);
 
 // f * cos in 1/sr, by the model's robust form; `wi` to the light, `wo` to the viewer, z the normal. Directions are

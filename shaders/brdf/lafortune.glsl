@@ -21,24 +21,42 @@ real lafortune_distance(real t, real cx, real cy, real cz, vec3 wi, vec3 wo) {
   return REAL(0.5) * t * (d.x * d.x + d.y * d.y + d.z * d.z) + rest;
 }
 
+// The n-th power of t 2^-q, normalised or raw. A raw peak t^n belongs to the exponent: alone it under- or overflows.
+real lafortune_power(int variant, real n, real t, real q) {
+  if (variant == 1) return (n + REAL(2.0)) / (REAL(2.0) * BRDF_PI) * brdf_falloff(n * q);
+  real exponent = n * (q - brdf_log2(t));
+  real value = brdf_exp2(clamp(-exponent, -BRDF_MAX_EXPONENT, BRDF_MAX_EXPONENT));
+  return SELECT(exponent < BRDF_MAX_EXPONENT, value, REAL(0.0));
+}
+
 real lafortune_eval(int variant, real ks, real cx, real cy, real cz, real n, vec3 wi, vec3 wo) {
   real t = lafortune_max(cx, cy, cz);
   real x = brdf_sum_of_triple_products(vec3(cx, cy, cz), wo, wi);
   if (x <= REAL(0.0)) return REAL(0.0);
   // -log2 of x / t, relative to the vectors' squared length
   real q = brdf_log2_ratio(lafortune_distance(t, cx, cy, cz, wi, wo), x);
-  real iz = max(wi.z, REAL(0.0));
-  if (variant == 1) return ks * (n + REAL(2.0)) / (REAL(2.0) * BRDF_PI) * brdf_falloff(n * q) * iz;
-  // The peak t^n belongs to the exponent: alone it under- or overflows.
-  real exponent = n * (q - brdf_log2(t));
-  real value = ks * brdf_exp2(clamp(-exponent, -BRDF_MAX_EXPONENT, BRDF_MAX_EXPONENT)) * iz;
-  return SELECT(exponent < BRDF_MAX_EXPONENT, value, REAL(0.0));
+  return ks * lafortune_power(variant, n, t, q) * max(wi.z, REAL(0.0));
 }
 
-// A power of a cosine about w = (cx ox, cy oy, cz oz); the plain cosine where w vanishes.
+// The same at the lobe's axis w: fcos / pdf without the cosine and the sampler's norm. 1 - |w|^2 / t^2 as a sum of
+// positive terms.
+real lafortune_peak(int variant, real ks, real cx, real cy, real cz, real n, vec3 wo) {
+  real t = lafortune_max(cx, cy, cz);
+  vec3 o = vec3(wo.x * wo.x, wo.y * wo.y, wo.z * wo.z);
+  real rest = (t - abs(cx)) * (t + abs(cx)) * o.x + (t - abs(cy)) * (t + abs(cy)) * o.y + (t - abs(cz)) * (t + abs(cz)) * o.z;
+  real length2 = max(cx * cx * o.x + cy * cy * o.y + cz * cz * o.z, REAL(1e-30));
+  return ks * lafortune_power(variant, n, t, REAL(0.5) * brdf_log2_ratio(rest, length2));
+}
+
+// C wo, with the largest of C as 1.
+vec3 lafortune_axis(real cx, real cy, real cz, vec3 wo) {
+  real t = max(lafortune_max(cx, cy, cz), REAL(1e-30));
+  return vec3(cx / t * wo.x, cy / t * wo.y, cz / t * wo.z);
+}
+
+// A power of a cosine about that axis; the plain cosine where w vanishes.
 real lafortune_pdf(real cx, real cy, real cz, real n, vec3 wi, vec3 wo) {
-  real top = max(lafortune_max(cx, cy, cz), REAL(1e-30));
-  vec3 w = vec3(cx / top * wo.x, cy / top * wo.y, cz / top * wo.z);
+  vec3 w = lafortune_axis(cx, cy, cz, wo);
   real length_w = sqrt(dot(w, w));
   if (length_w < REAL(1e-6)) return max(wi.z, REAL(0.0)) / BRDF_PI;
   vec3 axis = vec3(w.x / length_w, w.y / length_w, w.z / length_w);
@@ -50,8 +68,7 @@ real lafortune_pdf(real cx, real cy, real cz, real n, vec3 wi, vec3 wo) {
 
 bool lafortune_sample(int variant, real ks, real cx, real cy, real cz, real n, vec3 wo, vec2 u, OUT(vec3) wi,
                       OUT(real) pdf, OUT(real) weight) {
-  real top = max(lafortune_max(cx, cy, cz), REAL(1e-30));
-  vec3 w = vec3(cx / top * wo.x, cy / top * wo.y, cz / top * wo.z);
+  vec3 w = lafortune_axis(cx, cy, cz, wo);
   real length_w = sqrt(dot(w, w));
   if (length_w < REAL(1e-6)) {
     wi = brdf_cosine_direction(u);
@@ -72,9 +89,12 @@ bool lafortune_sample(int variant, real ks, real cx, real cy, real cz, real n, v
               x * t1.z + y * t2.z + cosine * axis.z);
   }
   pdf = lafortune_pdf(cx, cy, cz, n, wi, wo);
-  bool valid = wi.z > REAL(0.0) && pdf > REAL(0.0);
-  weight = SELECT(valid, lafortune_eval(variant, ks, cx, cy, cz, n, wi, wo) / max(pdf, REAL(1e-37)), REAL(0.0));
-  return valid;
+  if (length_w < REAL(1e-6)) {
+    weight = lafortune_eval(variant, ks, cx, cy, cz, n, wi, wo) / max(pdf, REAL(1e-37));
+  } else {
+    weight = lafortune_peak(variant, ks, cx, cy, cz, n, wo) * REAL(2.0) * BRDF_PI / (n + REAL(1.0)) * max(wi.z, REAL(0.0));
+  }
+  return wi.z > REAL(0.0) && pdf > REAL(0.0);
 }
 
 #endif

@@ -1,13 +1,8 @@
 // The device computes what the C++ float build of the same text computes.
-#include <cstddef>
-
 #include "engine/brdf/kernel.h"
-#include "shaders/shared/probe.h"
-#include "shaders/spirv.h"
 #include "tests/brdf/device.h"
 #include "tests/brdf/errors.h"
 #include "tests/brdf/lobes.h"
-#include "tests/gpu/spirv_reflection.h"
 
 namespace vamp {
 namespace {
@@ -89,31 +84,6 @@ TEST_F(BrdfOnTheDevice, SpecialisedKernelsGiveTheSameBits) {
       EXPECT_EQ(some[i], everything[i]) << name_of(all[i].lobe) << " with models " << mask;
     }
   }
-}
-
-TEST_F(BrdfOnTheDevice, ManyQuestionsAreAnsweredInTheirOrder) {
-  std::vector<BrdfQuestion> many(200001);
-  for (size_t i = 0; i < many.size(); ++i) {
-    many[i].lobe = {Model::lambert, 0, {static_cast<float>(i)}};
-  }
-  const std::vector<BrdfValue> values = probe->values(many);
-  ASSERT_EQ(values.size(), many.size());
-  for (size_t i = 0; i < many.size(); ++i) ASSERT_NEAR(values[i].fcos * std::numbers::pi, i, 1e-6 * i);
-  EXPECT_TRUE(probe->values({}).empty());
-}
-
-TEST(BrdfProbe, RowsLieTheSameWayOnBothSides) {
-  const auto question = test::reflect_struct(spirv::brdf_probe_comp(), "Question");
-  ASSERT_TRUE(question) << question.error().message();
-  EXPECT_EQ(question->stride, sizeof(probe::Question));
-  EXPECT_EQ(question->offsets.at("wo"), offsetof(probe::Question, wo));
-  EXPECT_EQ(question->offsets.at("p0"), offsetof(probe::Question, p0));
-  EXPECT_EQ(question->offsets.at("u0"), offsetof(probe::Question, u0));
-  EXPECT_EQ(question->offsets.at("tag"), offsetof(probe::Question, tag));
-  const auto answer = test::reflect_struct(spirv::brdf_probe_comp(), "Answer");
-  ASSERT_TRUE(answer) << answer.error().message();
-  EXPECT_EQ(answer->stride, sizeof(probe::Answer));
-  EXPECT_EQ(answer->offsets.at("valid"), offsetof(probe::Answer, valid));
 }
 
 }  // namespace
