@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/btf/btf_checksum.h"
+#include "engine/core/check.h"
 
 namespace vamp {
 namespace {
@@ -65,34 +66,58 @@ std::optional<std::string> why_not_mapped(const BdiHeader& header) {
   return {};
 }
 
-Result<Btf> Btf::create(const fs::path& path, BtfInfo info) {
-  const uint64_t row = info.values_per_texel() * sizeof(Half) * info.width;
-  if (row > std::numeric_limits<uint32_t>::max())
-    return fail(ErrorKind::failed, path.string(), "", "rows of at most 4 GiB", fmt::format("{} bytes", row));
-  const auto rows = static_cast<uint32_t>(std::clamp<uint64_t>(kChunkBytes / row, 1, info.height));
-  const size_t texels = info.texel_count();
+namespace {
 
+uint64_t bytes_per_row(const BtfInfo& info) { return info.values_per_texel() * sizeof(Half) * info.width; }
+
+uint32_t rows_per_chunk(const BtfInfo& info) {
+  return static_cast<uint32_t>(std::clamp<uint64_t>(kChunkBytes / bytes_per_row(info), 1, info.height));
+}
+
+// Everything in front of the first chunk.
+std::vector<std::byte> header_of(const BtfInfo& info) {
+  const size_t texels = info.texel_count();
   ByteWriter writer;
   const size_t behind_header = 3 * sizeof(uint32_t) + sizeof(uint8_t) + texels;
   BonnHeader header = bonn_header_of(info, BonnKind::bdi);
   write_bonn_header(writer, header, behind_header, kAlignment);
-  writer.number(rows);
+  writer.number(rows_per_chunk(info));
   writer.number(kSparseUncompressed);
   writer.bytes().resize(writer.size() + texels, std::byte{1});
   writer.number(uint32_t{0});  // rotations
   write_checksum(writer.bytes(), header);
-  const uint64_t first_chunk = writer.size();
+  return std::move(writer.bytes());
+}
+
+}  // namespace
+
+Result<Btf> Btf::create(const fs::path& path, BtfInfo info) {
+  CHECK(info.in_range());
+  const uint64_t row = bytes_per_row(info);
+  if (row > std::numeric_limits<uint32_t>::max())
+    return fail(ErrorKind::failed, path.string(), "", "rows of at most 4 GiB", fmt::format("{} bytes", row));
+  const uint32_t rows = rows_per_chunk(info);
+  const std::vector<std::byte> header = header_of(info);
+  const uint64_t first_chunk = header.size();
   const uint64_t chunks = (info.height + uint64_t{rows} - 1) / rows;
 
   VAMP_TRY(MemoryMap map, MemoryMap::create(path, first_chunk + chunks * sizeof(uint32_t) + row * info.height));
   const auto bytes = map.writable();
-  std::ranges::copy(writer.bytes(), bytes.begin());
+  std::ranges::copy(header, bytes.begin());
   for (uint64_t chunk = 0; chunk < chunks; ++chunk) {
     const auto size = static_cast<uint32_t>(std::min<uint64_t>(rows, info.height - chunk * rows) * row);
     std::memcpy(bytes.data() + first_chunk + chunk * (sizeof(size) + row * rows), &size, sizeof(size));
   }
   const Layout layout{first_chunk + sizeof(uint32_t), uint64_t{rows} * info.width};
   return Btf(std::move(info), std::move(map), layout, path);
+}
+
+void Btf::set_provenance(std::string provenance) {
+  info_.provenance = std::move(provenance);
+  if (path_.empty()) return;
+  const std::vector<std::byte> header = header_of(info_);
+  CHECK(header.size() + sizeof(uint32_t) == layout_.first);
+  std::ranges::copy(header, map_.writable().begin());
 }
 
 Result<Btf> Btf::open(const fs::path& path, MapAccess access) {

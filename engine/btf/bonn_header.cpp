@@ -24,8 +24,6 @@ constexpr Signature kSignatures[] = {
     {"!BDIF06R2!", BonnKind::bdi, true, true},
 };
 
-constexpr uint32_t kMaxSide = 16384;
-constexpr uint32_t kMaxDirections = 16384;
 constexpr uint32_t kMaxChannels = 1024;
 constexpr size_t kNameBytes = 80;
 // Angles at the horizon are written as floats a little above pi / 2.
@@ -77,13 +75,13 @@ dvec3 read_direction(Cursor& cursor, std::string_view what) {
 }
 
 void read_sampling(Cursor& cursor, BonnHeader& header) {
-  const uint32_t views = cursor.count("number of views", 1, kMaxDirections);
+  const uint32_t views = cursor.count("number of views", 1, kMaxBtfDirections);
   std::vector<dvec3> view_directions, light_directions;
   std::span<const std::byte> first_list;
   for (uint32_t v = 0; v < views && cursor.status(); ++v) {
     view_directions.push_back(read_direction(cursor, "view"));
     const uint64_t place = cursor.at();
-    const uint32_t lights = cursor.count("number of lights", 1, kMaxDirections);
+    const uint32_t lights = cursor.count("number of lights", 1, kMaxBtfDirections);
     Cursor ahead = cursor;
     const auto list = cursor.take(lights * 2 * sizeof(float), "lights");
     if (v == 0) {
@@ -128,8 +126,8 @@ Result<BonnHeader> read_bonn_header(Cursor& cursor) {
   header.has_extra = signature->has_extra;
   read_description(cursor, header);
   read_sampling(cursor, header);
-  header.width = cursor.count("width", 1, kMaxSide);
-  header.height = cursor.count("height", 1, kMaxSide);
+  header.width = cursor.count("width", 1, kMaxBtfSide);
+  header.height = cursor.count("height", 1, kMaxBtfSide);
   VAMP_CHECK_STATUS(cursor.status());
   return header;
 }

@@ -11,6 +11,12 @@
 
 namespace vamp {
 
+bool BtfInfo::in_range() const {
+  const auto inside = [](uint64_t count, uint64_t most) { return count >= 1 && count <= most; };
+  return inside(width, kMaxBtfSide) && inside(height, kMaxBtfSide) && inside(views.size(), kMaxBtfDirections) &&
+         inside(lights.size(), kMaxBtfDirections);
+}
+
 std::string place_of(const BtfInfo& info, size_t texel, size_t direction) {
   const size_t lights = info.lights.size();
   return fmt::format("texel ({}, {}), view {}, light {}", texel % info.width, texel / info.width, direction / lights,
@@ -25,6 +31,7 @@ Btf::Btf(BtfInfo info, MemoryMap map, Layout layout, fs::path path)
       values_per_texel_(info_.values_per_texel()) {}
 
 Result<Btf> Btf::in_memory(BtfInfo info) {
+  CHECK(info.in_range());
   const uint64_t bytes = uint64_t{info.texel_count()} * info.values_per_texel() * sizeof(Half);
   VAMP_TRY(MemoryMap map, MemoryMap::in_memory(bytes));
   const Layout one_chunk{0, std::numeric_limits<uint64_t>::max()};

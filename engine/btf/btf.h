@@ -18,16 +18,21 @@ enum class BtfColour {
   log_yuv,  // Y, U and V of the logarithm of ReflectedCos: signed, no light, so that no lobe fits it
 };
 
+inline constexpr uint32_t kMaxBtfSide = 16384;
+inline constexpr uint32_t kMaxBtfDirections = 16384;
+
 struct BtfInfo {
-  uint32_t width = 0, height = 0;  // texels, 1 to 16384
-  DirectionSet views, lights;      // 1 to 16384 each; one view is a fixed-view measurement (photographs of a RTI dome)
-  float mm_per_texel = 0;          // 0: not known
+  uint32_t width = 0, height = 0;  // texels, 1 to kMaxBtfSide
+  DirectionSet views,
+      lights;  // 1 to kMaxBtfDirections each; one view is a fixed-view measurement (photographs of a RTI dome)
+  float mm_per_texel = 0;  // 0: not known
   BtfColour colour = BtfColour::rec709;
   bool synthetic = false;  // computed, not measured
   std::string name;        // "felt05"
   std::string provenance;  // who measured it, where, with what; or how it was computed
   std::string licence;
 
+  bool in_range() const;
   bool fixed_view() const { return views.size() == 1; }
   size_t texel_count() const { return size_t{width} * height; }
   size_t values_per_texel() const { return views.size() * lights.size() * 3; }
@@ -80,6 +85,10 @@ class Btf {
   float at(size_t texel, size_t view, size_t light, size_t channel) const {
     return float_from_half(this->texel(texel)[(view * light_count() + light) * 3 + channel]);
   }
+
+  // What is known only when all values are: replaces the provenance by another one of the same length (of a file that
+  // create() made; a different length is a programming error there).
+  void set_provenance(std::string provenance);
 
   // Lets go of the memory that these texels take, so that a pass over a file stays within it: files only, no data are
   // lost, the next look reads them again.

@@ -82,6 +82,9 @@ Result<ImageSet> find_images(const fs::path& folder) {
   VAMP_TRY(const Found found, look_through(folder));
   std::map<Key, size_t> views, lights;
   for (const auto& [pair, path] : found) views[pair.first], lights[pair.second];
+  if (views.size() > kMaxBtfDirections || lights.size() > kMaxBtfDirections)
+    return fail(ErrorKind::bad_input, folder.string(), "names", fmt::format("at most {} directions", kMaxBtfDirections),
+                fmt::format("{} views and {} lights", views.size(), lights.size()));
   // Said before anything of this size is allocated: a few stray names make many directions.
   for (const auto& [view, unused_view] : views)
     for (const auto& [light, unused_light] : lights)

@@ -14,7 +14,6 @@ namespace vamp {
 namespace {
 
 constexpr uint64_t kMaxBytes = uint64_t{16} << 20;
-constexpr size_t kMaxLights = 16384;
 // A light in the plane of the object lights nothing.
 constexpr double kLowestZ = 1e-6;
 
@@ -71,8 +70,9 @@ Result<ImageSet> parse_light_list(std::string_view text, std::string_view file) 
     const std::string place = fmt::format("line {}", line_number);
     if (!count) {
       const auto value = number_of(line);
-      if (!value || *value < 1 || *value > static_cast<double>(kMaxLights) || *value != std::floor(*value))
-        return fail(ErrorKind::bad_input, file, place, fmt::format("how many pictures follow, 1 to {}", kMaxLights),
+      if (!value || *value < 1 || *value > static_cast<double>(kMaxBtfDirections) || *value != std::floor(*value))
+        return fail(ErrorKind::bad_input, file, place,
+                    fmt::format("how many pictures follow, 1 to {}", kMaxBtfDirections),
                     fmt::format("\"{}\"", line.substr(0, 40)));
       count = static_cast<size_t>(*value);
       continue;

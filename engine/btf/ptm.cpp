@@ -13,7 +13,6 @@ namespace vamp {
 namespace {
 
 constexpr size_t kTerms = 6;
-constexpr uint32_t kMaxSide = 16384;
 // Bytes less a bias stay inside an int.
 constexpr int kMaxBias = 1'000'000'000;
 
@@ -49,8 +48,8 @@ class HeaderWords {
   uint32_t side(std::string_view what) {
     const uint64_t place = cursor_.at();
     const auto value = number<uint32_t>(what);
-    if (value < 1 || value > kMaxSide)
-      cursor_.refuse(place, what, fmt::format("1 to {}", kMaxSide), std::to_string(value));
+    if (value < 1 || value > kMaxBtfSide)
+      cursor_.refuse(place, what, fmt::format("1 to {}", kMaxBtfSide), std::to_string(value));
     return value;
   }
 
