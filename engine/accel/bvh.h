@@ -14,6 +14,7 @@ struct Scene;
 
 struct Bvh {
   std::vector<uvec4> nodes;     // two for each inner node, the root first
+  std::vector<uvec4> list;      // the same boxes depth first, with skips, and its ends
   std::vector<vec4> triangles;  // three for each triangle, in the order of the tree; w: part, flags, 0
   std::vector<uint32_t> order;  // order[i]: the scene's number of the tree's triangle i
   vec3 grid_origin{0};          // a box coordinate q lies at grid_origin + q * grid_scale
@@ -22,6 +23,7 @@ struct Bvh {
   Bounds bounds;
 
   size_t inner_count() const { return nodes.size() / 2; }
+  size_t list_end() const { return nodes.size(); }  // where the list's ends begin
   size_t triangle_count() const { return order.size(); }
 };
 
@@ -46,6 +48,9 @@ std::optional<Hit> pick(const Bvh& bvh, const vec3& origin, const vec3& directio
 
 // Any triangle between t_min and t_max.
 bool occluded(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max);
+
+// Bvh::list of its nodes.
+std::vector<uvec4> list_of(const Bvh& bvh);
 
 // Expected cost of a ray through the scene's box: sum over nodes of area / root area * (1 per inner node, 1 per
 // triangle of a leaf), measured on the boxes as the kernels see them.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/accel/bvh.h"
+#include "engine/accel/bvh_box.h"
 #include "engine/core/check.h"
 #include "engine/scene/scene.h"
 #include "shaders/shared/intersect.h"
@@ -214,16 +215,19 @@ class Grid {
     }
   }
 
-  // At least half a cell of margin on every side: see bvh_slab().
+  // A quarter of a cell of margin on every side (see box_span()), and no more than it takes: a backdrop stretches the
+  // grid until a cell is no longer small against a triangle, and then margins cost more than anything else in the tree.
   uvec4 child(const Box& box, int32_t reference) const {
-    std::array<uint32_t, 3> lo{};
-    std::array<uint32_t, 3> hi{};
+    constexpr double kMargin = 0.25;
+    GridBox cells;
     for (int k = 0; k < 3; ++k) {
-      const size_t i = static_cast<size_t>(k);
-      lo[i] = static_cast<uint32_t>(std::clamp(std::floor(place(box.lo[k], k) - 0.5), 0.0, 65535.0));
-      hi[i] = static_cast<uint32_t>(std::clamp(std::ceil(place(box.hi[k], k) + 0.5), 0.0, 65535.0));
+      const double lo = std::clamp(std::floor(place(box.lo[k], k) - kMargin), 0.0, 65535.0);
+      // The kernels read the high side with the low one as its fraction.
+      const double hi = std::clamp(std::ceil(place(box.hi[k], k) + kMargin - lo / 65536.0), 0.0, 65535.0);
+      cells.lo[k] = static_cast<uint32_t>(lo);
+      cells.hi[k] = static_cast<uint32_t>(hi);
     }
-    return uvec4(lo[0] | hi[0] << 16, lo[1] | hi[1] << 16, lo[2] | hi[2] << 16, static_cast<uint32_t>(reference));
+    return pack_box(cells, reference);
   }
 
   vec3 origin{0};
@@ -280,7 +284,8 @@ class Flattener {
 Bvh empty_bvh() {
   Bvh bvh;
   bvh.triangles.assign(3, vec4(0));
-  bvh.nodes.assign(2, uvec4(0, 0, 0, static_cast<uint32_t>(leaf_reference(0, 1))));
+  bvh.nodes.assign(2, pack_box({}, leaf_reference(0, 1)));
+  bvh.list = list_of(bvh);
   bvh.depth = 1;
   return bvh;
 }
@@ -317,6 +322,7 @@ Bvh build_bvh(std::span<const vec3> positions, std::span<const uvec3> triangles,
   bvh.nodes.reserve(items.size());
   Flattener(builder.nodes(), grid, bvh).flatten_root(static_cast<uint32_t>(items.size()));
   CHECK(bvh.depth <= kMaxDepth);
+  bvh.list = list_of(bvh);
 
   bvh.order.reserve(items.size());
   bvh.triangles.reserve(3 * items.size());

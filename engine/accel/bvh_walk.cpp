@@ -1,19 +1,32 @@
 #include <array>
 
 #include "engine/accel/bvh.h"
+#include "engine/accel/bvh_box.h"
 #include "engine/core/check.h"
 #include "shaders/shared/intersect.h"
 
 namespace vamp {
 namespace {
 
-// Walks from the nearer child to the farther; visit(slot) is asked for each triangle and returns the new t_max.
+// The first triangle of a leaf that the ray hits, or the nearest one: visit(slot, hit) returns the new t_max.
 template <class Visit>
-void walk(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max, Visit visit) {
-  const vec3 factor = bvh_ray_factor(direction, bvh.grid_scale);
-  const vec3 offset = bvh_ray_offset(origin, direction, bvh.grid_origin);
-  const vec3 side = ray_side(direction);
-  const vec3 above = ray_above(direction);
+void visit_leaf(const Bvh& bvh, int32_t inside, const vec3& origin, const vec3& direction, float t_min, float& t_max,
+                Visit visit) {
+  const uint32_t leaf = static_cast<uint32_t>(~inside);
+  const uint32_t first = leaf >> 3;
+  for (uint32_t slot = first; slot <= first + (leaf & 7u); ++slot) {
+    const vec4* v = &bvh.triangles[3 * static_cast<size_t>(slot)];
+    const vec4 hit = intersect_triangle(origin, direction, ray_side(direction), ray_above(direction), vec3(v[0]),
+                                        vec3(v[1]), vec3(v[2]), t_min, t_max);
+    if (hit.w > 0) t_max = visit(slot, hit);
+  }
+}
+
+}  // namespace
+
+std::optional<Hit> pick(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max) {
+  const BoxRay ray = box_ray(origin, direction, bvh.grid_origin, bvh.grid_scale);
+  std::optional<Hit> nearest;
   std::array<int32_t, BVH_STACK_SIZE> stack;
   size_t top = 0;
   int32_t node = 0;
@@ -21,8 +34,8 @@ void walk(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min
     if (node >= 0) {
       const uvec4& c0 = bvh.nodes[2 * static_cast<size_t>(node)];
       const uvec4& c1 = bvh.nodes[2 * static_cast<size_t>(node) + 1];
-      const vec2 s0 = bvh_slab(c0, factor, offset, t_min, t_max);
-      const vec2 s1 = bvh_slab(c1, factor, offset, t_min, t_max);
+      const ivec2 s0 = box_span(c0, ray, floatBitsToInt(t_min), floatBitsToInt(t_max));
+      const ivec2 s1 = box_span(c1, ray, floatBitsToInt(t_min), floatBitsToInt(t_max));
       const bool hit0 = s0.x <= s0.y;
       const bool hit1 = s1.x <= s1.y;
       if (hit0 || hit1) {
@@ -35,48 +48,31 @@ void walk(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min
         continue;
       }
     } else {
-      const uint32_t leaf = static_cast<uint32_t>(~node);
-      const uint32_t first = leaf >> 3;
-      for (uint32_t slot = first; slot <= first + (leaf & 7u); ++slot) {
-        const vec4* v = &bvh.triangles[3 * static_cast<size_t>(slot)];
-        const vec4 hit =
-            intersect_triangle(origin, direction, side, above, vec3(v[0]), vec3(v[1]), vec3(v[2]), t_min, t_max);
-        if (hit.w > 0) t_max = visit(slot, hit);
-        if (!(t_max > t_min)) return;
-      }
+      visit_leaf(bvh, node, origin, direction, t_min, t_max, [&](uint32_t slot, const vec4& hit) {
+        nearest = Hit{bvh.order[slot], hit.x, hit.y, hit.z};
+        return hit.x;
+      });
     }
-    if (top == 0) return;
+    if (top == 0) return nearest;
     node = stack[--top];
   }
 }
 
-double half_area(const Bvh& bvh, const uvec4& child) {
-  const auto size = [&](uint32_t lo, uint32_t hi, int axis) {
-    return (static_cast<double>(hi) - static_cast<double>(lo)) * static_cast<double>(bvh.grid_scale[axis]);
-  };
-  const double x = size(child.x & 0xffffu, child.x >> 16, 0);
-  const double y = size(child.y & 0xffffu, child.y >> 16, 1);
-  const double z = size(child.z & 0xffffu, child.z >> 16, 2);
-  return x * y + y * z + z * x;
-}
-
-}  // namespace
-
-std::optional<Hit> pick(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max) {
-  std::optional<Hit> nearest;
-  walk(bvh, origin, direction, t_min, t_max, [&](uint32_t slot, const vec4& hit) {
-    nearest = Hit{bvh.order[slot], hit.x, hit.y, hit.z};
-    return hit.x;
-  });
-  return nearest;
-}
-
 bool occluded(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max) {
+  const BoxRay ray = box_ray(origin, direction, bvh.grid_origin, bvh.grid_scale);
   bool found = false;
-  walk(bvh, origin, direction, t_min, t_max, [&](uint32_t, const vec4&) {
-    found = true;
-    return t_min;
-  });
+  for (size_t at = 0; at < bvh.list_end() && !found;) {
+    const uvec4& box = bvh.list[at];
+    const ivec2 span = box_span(box, ray, floatBitsToInt(t_min), floatBitsToInt(t_max));
+    const int32_t inside = static_cast<int32_t>(box.w);
+    const bool hit = span.x <= span.y;
+    if (hit && inside < 0)
+      visit_leaf(bvh, inside, origin, direction, t_min, t_max, [&](uint32_t, const vec4&) {
+        found = true;
+        return t_max;
+      });
+    at = hit || inside < 0 ? at + 1 : static_cast<size_t>(inside);
+  }
   return found;
 }
 
@@ -91,7 +87,7 @@ double sah_cost(const Bvh& bvh) {
   for (const uvec4& child : bvh.nodes) {
     const int32_t reference = static_cast<int32_t>(child.w);
     const double tests = reference >= 0 ? 1.0 : static_cast<double>((~reference & 7) + 1);
-    sum += tests * half_area(bvh, child) / root;
+    sum += tests * half_area(child, bvh.grid_scale) / root;
   }
   return sum;
 }

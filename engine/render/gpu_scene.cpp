@@ -35,13 +35,15 @@ Result<uint64_t> GpuScene::send_scene(gpu::Device& device, const SceneTables& fr
   const Bvh& bvh = from.bvh;
   if (storage_fetch) {
     VAMP_CHECK_STATUS(device.fits_storage_range("nodes", bvh.nodes.size() * sizeof(uvec4)));
+    VAMP_CHECK_STATUS(device.fits_storage_range("boxes", bvh.list.size() * sizeof(uvec4)));
     VAMP_CHECK_STATUS(device.fits_storage_range("triangles", bvh.triangles.size() * sizeof(vec4)));
   }
   VAMP_TRY(uint64_t bytes, send(device, nodes, "nodes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.nodes, true));
+  VAMP_TRY(const uint64_t b0, send(device, boxes, "boxes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.list, true));
   VAMP_TRY(const uint64_t b1, send(device, triangles, "triangles", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.triangles, true));
   VAMP_TRY(const uint64_t b2, send(device, surface, "surface", VK_FORMAT_R32G32B32A32_UINT, from.surface));
   VAMP_TRY(const uint64_t b3, send(device, alpha, "alpha masks", VK_FORMAT_R8_UINT, from.alpha));
-  return bytes + b1 + b2 + b3;
+  return bytes + b0 + b1 + b2 + b3;
 }
 
 Result<uint64_t> GpuScene::send_materials(gpu::Device& device, const MaterialTables& from) {
@@ -83,6 +85,8 @@ void GpuScene::bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) c
                              {BINDING_LIGHTS, lights},
                              {BINDING_NODES, nodes.view},
                              {BINDING_TRIANGLES, triangles.view},
+                             {BINDING_BOXES, boxes.view},
+                             {BINDING_BOXES_STORAGE, boxes.rows, 0, std::min(boxes.rows.bytes(), range)},
                              {BINDING_NODES_STORAGE, nodes.rows, 0, std::min(nodes.rows.bytes(), range)},
                              {BINDING_TRIANGLES_STORAGE, triangles.rows, 0, std::min(triangles.rows.bytes(), range)},
                              {BINDING_SURFACE, surface.view},

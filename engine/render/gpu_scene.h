@@ -24,6 +24,7 @@ struct GpuScene {
   gpu::TypedBuffer<frame::FrameParams> params;
   gpu::TypedBuffer<frame::LightRow> lights;
   TexelTable<uvec4> nodes;
+  TexelTable<uvec4> boxes;
   TexelTable<vec4> triangles;
   TexelTable<uvec4> surface;
   TexelTable<frame::PartRow> parts;

@@ -87,6 +87,8 @@ const std::vector<gpu::Binding>& kernel_bindings() {
       {BINDING_ACCUMULATORS, storage_texel},
       {BINDING_DISPLAY, storage_buffer},
       {BINDING_AOV, storage_texel},
+      {BINDING_BOXES, uniform_texel},
+      {BINDING_BOXES_STORAGE, storage_buffer},
   };
   return bindings;
 }

@@ -291,6 +291,7 @@ uint64_t Renderer::send_frame() {
   }
   p.light_count = key_.light_count;
   p.planes = key_.planes();
+  p.list_end = static_cast<uint32_t>(scene_tables_->bvh.list_end());
   for (size_t i = 0; i < lights_.size(); ++i) p.emission[i] = light_emission(now.lights[lights_[i]]);
   if (std::memcmp(&p, &params_, sizeof(p)) == 0) return 0;
   params_ = p;

@@ -142,21 +142,31 @@ LightSample sample_environment(vec2 cell, vec2 inside, out vec3 radiance) {
   return s;
 }
 
-// Shadow ray number `ray` (lights, ambient, environment) of a vertex's sample. Rays from below the face or the shading
-// normal carry nothing: the rule at the terminator is that a light counts when it stands above both.
-LightSample sample_ray(uint ray, SurfacePoint point, uint seed, uint sample_index, uint pair_base, out vec3 radiance) {
-  LightSample s = LightSample(vec3(0, 0, 1), 0.0, 0.0);
-  radiance = vec3(1.0);
-  if (ray < LIGHT_COUNT) s = sample_light(ray, point.position, random_pair(seed, sample_index, pair_base + PAIR_LIGHT + ray));
-  if (AMBIENT && ray == LIGHT_COUNT)
-    s = sample_ambient(point.normal, point.view, random_pair(seed, sample_index, pair_base + PAIR_AMBIENT),
-                       random_pair(seed, sample_index, pair_base + PAIR_AMBIENT_CHOICE).x);
-  if (ENVIRONMENT && ray == LIGHT_COUNT + (AMBIENT ? 1u : 0u))
-    s = sample_environment(random_pair(seed, sample_index, pair_base + PAIR_ENVIRONMENT_CELL),
-                           random_pair(seed, sample_index, pair_base + PAIR_ENVIRONMENT_TEXEL), radiance);
+// Rays from below the face or the shading normal carry nothing: the rule at the terminator is that a light counts when it
+// stands above both.
+LightSample above_surface(LightSample s, SurfacePoint point) {
   bool above = dot(s.direction, point.face) > 0.0 && dot(s.direction, point.normal) > 0.0;
   s.factor = above ? s.factor : 0.0;
   return s;
+}
+
+// The shadow rays of a sample at one vertex, in the order of visibility bits and planes: lights, ambient, environment, and
+// the radiance along the environment's at intensity 1. Each kind is drawn by code of its own: on lavapipe drawing all kinds
+// and choosing one costs as much as all kinds.
+void draw_shadow_rays(SurfacePoint point, uint seed, uint sample_index, uint vertex, out LightSample rays[RAY_COUNT],
+                      out vec3 environment) {
+  uint base = vertex * PAIR_MIRROR;
+  environment = vec3(0.0);
+  for (uint i = 0u; i < LIGHT_COUNT; ++i)
+    rays[i] = above_surface(sample_light(i, point.position, random_pair(seed, sample_index, base + PAIR_LIGHT + i)), point);
+  if (AMBIENT)
+    rays[LIGHT_COUNT] = above_surface(
+        sample_ambient(point.normal, point.view, random_pair(seed, sample_index, base + PAIR_AMBIENT),
+                       random_pair(seed, sample_index, base + PAIR_AMBIENT_CHOICE).x), point);
+  if (ENVIRONMENT)
+    rays[RAY_COUNT - 1u] = above_surface(
+        sample_environment(random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_CELL),
+                           random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_TEXEL), environment), point);
 }
 
 // An area light along a mirror's ray, nearer than `t_max`: its number, or -1. One-sided where it is flat.

@@ -8,6 +8,10 @@
 #include "shaders/lib/surface.glsl"
 #include "shaders/lib/lights.glsl"
 
+vec3 occlusion_direction(SurfacePoint point, uint seed, uint k) {
+  return sample_ambient(point.normal, point.view, random_pair(seed, tile.sample_base + k, PAIR_OCCLUSION), 0.0).direction;
+}
+
 void main() {
   uvec2 pixel;
   uint index;
@@ -19,13 +23,15 @@ void main() {
   SurfacePoint point = surface_point(ray, max(triangle, 0));
   vec3 origin = leave_surface(point);
   vec4 sum = tile.sample_base > 0u ? imageLoad(aov, int(2u * region_pixels() + index)) : vec4(0.0);
-  for (uint k = 0u; k < SAMPLES; ++k) {
-    vec2 u = random_pair(seed, tile.sample_base + k, PAIR_OCCLUSION);
-    vec3 direction = sample_ambient(point.normal, point.view, u, 0.0).direction;
-    bool above = triangle >= 0 && dot(direction, point.face) > 0.0;
-    bool visible = unoccluded(origin, direction, 0.0, above ? params.ao_radius : -1.0) && above;
+  for (uint k = 0u; k < SAMPLES; k += 2u) {
+    vec3 x = occlusion_direction(point, seed, k);
+    vec3 y = occlusion_direction(point, seed, k + 1u);
     // Directions under the face but above the shading normal's horizon are no directions of the surface: not counted.
-    sum += vec4(visible ? 1.0 : 0.0, above ? 1.0 : 0.0, 0.0, 0.0);
+    bvec2 above = bvec2(dot(x, point.face) > 0.0, k + 1u < SAMPLES && dot(y, point.face) > 0.0);
+    above = bvec2(above.x && triangle >= 0, above.y && triangle >= 0);
+    bvec2 free = unoccluded(origin, x, above.x ? params.ao_radius : -1.0, y, above.y ? params.ao_radius : -1.0);
+    sum.x += (above.x && free.x ? 1.0 : 0.0) + (above.y && free.y ? 1.0 : 0.0);
+    sum.y += (above.x ? 1.0 : 0.0) + (above.y ? 1.0 : 0.0);
   }
   imageStore(aov, int(2u * region_pixels() + index), sum);
 }

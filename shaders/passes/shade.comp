@@ -28,15 +28,19 @@ void shade_vertex(Ray ray, int triangle, uint seed, uint vertex, uint word[SAMPL
   vec3 wi[DIRECTION_COUNT];
   vec3 factor[DIRECTION_COUNT];
   vec3 value[DIRECTION_COUNT];
-  for (uint d = 0u; d < DIRECTION_COUNT; ++d) {
-    uint k = d / RAY_COUNT;
-    uint kind = d - k * RAY_COUNT;
-    vec3 radiance;
-    LightSample s = sample_ray(kind, point, seed, tile.sample_base + k, vertex * PAIR_MIRROR, radiance);
-    bool arrives = hit && (word[k] & (1u << (kind + vertex * 16u))) != 0u;
-    factor[d] = arrives ? radiance * (s.factor * throughput) : vec3(0.0);
-    wi[d] = vec3(dot(x, s.direction), dot(y, s.direction), max(dot(z, s.direction), 0.0));
-    value[d] = vec3(0.0);
+  for (uint k = 0u; k < SAMPLES; ++k) {
+    LightSample drawn[RAY_COUNT];
+    vec3 environment;
+    draw_shadow_rays(point, seed, tile.sample_base + k, vertex, drawn, environment);
+    for (uint kind = 0u; kind < RAY_COUNT; ++kind) {
+      LightSample s = drawn[kind];
+      uint d = k * RAY_COUNT + kind;
+      bool arrives = hit && (word[k] & (1u << (kind + vertex * 16u))) != 0u;
+      vec3 radiance = ENVIRONMENT && kind == RAY_COUNT - 1u ? environment : vec3(1.0);
+      factor[d] = arrives ? radiance * (s.factor * throughput) : vec3(0.0);
+      wi[d] = vec3(dot(x, s.direction), dot(y, s.direction), max(dot(z, s.direction), 0.0));
+      value[d] = vec3(0.0);
+    }
   }
   vec2 tap = random_pair(seed, tile.sample_base / SAMPLES_PER_HIT, vertex * PAIR_MIRROR + PAIR_TEXEL);
   spmm_eval(part, frame.uv, tap, wo, wi, value);

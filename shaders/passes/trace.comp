@@ -8,6 +8,17 @@
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/mirror.glsl"
 
+const uint RAYS = SAMPLES * RAY_COUNT;
+
+// Rays of a kind stand together: two of them end their walk sooner than two of different kinds.
+// Sets the bit of ray r in the word of its sample.
+void add_bit(inout uint word[SAMPLES], uint r, uint vertex, bool arrives) {
+  uint kind = r / SAMPLES;
+  uint sample_of_ray = r - kind * SAMPLES;
+  uint bit = arrives ? 1u << (kind + vertex * 16u) : 0u;
+  for (uint k = 0u; k < SAMPLES; ++k) word[k] |= k == sample_of_ray ? bit : 0u;
+}
+
 void main() {
   uvec2 pixel;
   uint index;
@@ -31,16 +42,24 @@ void main() {
     bool hit = triangle >= 0;
     SurfacePoint point = surface_point(ray, max(triangle, 0));
     vec3 origin = leave_surface(point);
-    for (uint r = 0u; r < SAMPLES * RAY_COUNT; ++r) {
-      uint k = r / max(RAY_COUNT, 1u);
-      uint kind = r - k * RAY_COUNT;
-      vec3 radiance;
-      LightSample s = sample_ray(kind, point, seed, tile.sample_base + k, vertex * PAIR_MIRROR, radiance);
+    vec4 rays[RAYS + 1u];  // direction, distance (<= 0: carries nothing); one more, for pairs
+    rays[RAYS] = vec4(0.0, 0.0, 1.0, -1.0);
+    for (uint k = 0u; k < SAMPLES; ++k) {
+      LightSample drawn[RAY_COUNT];
+      vec3 environment;
+      draw_shadow_rays(point, seed, tile.sample_base + k, vertex, drawn, environment);
       // The end stays clear of the emitter's own surroundings by the same margin as the start.
-      float t_max = hit && s.factor > 0.0 ? s.distance * 0.9999 : -1.0;
-      bool arrives = unoccluded(origin, s.direction, 0.0, t_max) && t_max > 0.0;
-      uint bit = arrives ? 1u << (kind + vertex * 16u) : 0u;
-      for (uint i = 0u; i < SAMPLES; ++i) word[i] |= i == k ? bit : 0u;
+      for (uint kind = 0u; kind < RAY_COUNT; ++kind) {
+        LightSample s = drawn[kind];
+        rays[kind * SAMPLES + k] = vec4(s.direction, hit && s.factor > 0.0 ? s.distance * 0.9999 : -1.0);
+      }
+    }
+    for (uint r = 0u; r < RAYS; r += 2u) {
+      vec4 x = rays[r];
+      vec4 y = rays[r + 1u];
+      bvec2 free = unoccluded(origin, x.xyz, x.w, y.xyz, y.w);
+      add_bit(word, r, vertex, free.x && x.w > 0.0);
+      add_bit(word, r + 1u, vertex, free.y && y.w > 0.0);
     }
     if (MIRROR && vertex == 0u) {
       ray = mirror_ray(ray, point);

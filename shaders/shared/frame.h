@@ -29,6 +29,8 @@ using uint = std::uint32_t;
 #define BINDING_ACCUMULATORS 20
 #define BINDING_DISPLAY 21
 #define BINDING_AOV 22
+#define BINDING_BOXES 23
+#define BINDING_BOXES_STORAGE 24
 
 // What a kernel is specialised for (constant_id): the scene pays only for what it uses.
 #define SPEC_SAMPLES 0             // samples in one dispatch: 1 or 4
@@ -112,6 +114,7 @@ struct FrameParams {
   float environment_cos, environment_sin;
   uint light_count;
   uint planes;       // accumulator planes
+  uint list_end;     // of the tree's boxes (shaders/shared/intersect.h)
   vec3 emission[MAX_LIGHTS];  // radiance of area lights, intensity of the others
 };
 
@@ -131,6 +134,6 @@ struct TilePush {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRow) == 80 && sizeof(PartRow) == 96 && sizeof(TilePush) == 24);
-static_assert(sizeof(FrameParams) == 176 + 12 * MAX_LIGHTS);
+static_assert(sizeof(FrameParams) == 180 + 12 * MAX_LIGHTS);
 }  // namespace vamp::frame
 #endif
