@@ -9,6 +9,9 @@ void add_brdf(CLI::App& app, CommonOptions& common, Action& action) {
   verb->require_subcommand(1);
   add_brdf_list(*verb, common, action);
   add_brdf_eval(*verb, common, action);
+  add_brdf_sample(*verb, common, action);
+  add_brdf_albedo(*verb, common, action);
+  add_brdf_plot(*verb, common, action);
 }
 
 }  // namespace vamp

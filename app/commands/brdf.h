@@ -14,6 +14,7 @@ void add_brdf_list(CLI::App& brdf, CommonOptions& common, Action& action);
 void add_brdf_eval(CLI::App& brdf, CommonOptions& common, Action& action);
 void add_brdf_sample(CLI::App& brdf, CommonOptions& common, Action& action);
 void add_brdf_albedo(CLI::App& brdf, CommonOptions& common, Action& action);
+void add_brdf_plot(CLI::App& brdf, CommonOptions& common, Action& action);
 
 // The text of shaders/brdf as it runs on the device, as C++ float, or as C++ double. All three get the same floats.
 class BrdfEngine {
@@ -60,7 +61,9 @@ struct LobeWords {
 void add_lobe_words(CLI::App& verb, LobeWords& words, bool required);
 Result<Lobe> lobe_of(const LobeWords& words);
 
-// Several angles, "0,15,30", in degrees from 0 to below 90.
+inline constexpr float kMaxTheta = 89.9999f;  // of directions on the command line, degrees
+
+// Several angles, "0,15,30", in degrees from 0 to kMaxTheta.
 Result<std::vector<double>> angles_option(const std::string& text, const char* option);
 
 // The direction at `theta` and `phi` degrees, rounded to floats.

@@ -129,7 +129,7 @@ Result<Lobe> lobe_of(const LobeWords& words) {
 Result<std::vector<double>> angles_option(const std::string& text, const char* option) {
   std::vector<double> angles;
   for (const std::string_view piece : list_option(text)) {
-    VAMP_TRY(const float angle, number_option(piece, option, 0, 89.9999f));
+    VAMP_TRY(const float angle, number_option(piece, option, 0, kMaxTheta));
     angles.push_back(static_cast<double>(angle));
   }
   return angles;
