@@ -28,4 +28,12 @@ std::vector<LogLine> recent_log() {
   return lines;
 }
 
+std::vector<std::string> warnings_since(std::chrono::system_clock::time_point start) {
+  std::vector<std::string> lines;
+  for (const auto& entry : ring()->last_raw())
+    if (entry.level >= spdlog::level::warn && entry.time >= start)
+      lines.emplace_back(entry.payload.data(), entry.payload.size());
+  return lines;
+}
+
 }  // namespace vamp

@@ -2,6 +2,7 @@
 // One log for the program: human text to stderr (stdout belongs to results), the last lines kept for the log panel.
 #include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,8 @@ void start_log(const std::string& level);
 
 // The last lines, oldest first, at most 500.
 std::vector<LogLine> recent_log();
+
+// Those of them that are warnings or worse and were said since then.
+std::vector<std::string> warnings_since(std::chrono::system_clock::time_point start);
 
 }  // namespace vamp

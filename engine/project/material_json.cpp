@@ -24,14 +24,22 @@ struct LoadedPreset {
   std::string checksum;
 };
 
-// Rows that the model's own material has no longer: the model was exported anew with fewer functions.
-void drop_lost_rows(EditLayer& edits, const Spmm& fit) {
-  std::erase_if(edits.bases, [&](const auto& row) {
-    return static_cast<size_t>(row.first.cluster) >= fit.clusters.size() ||
-           static_cast<size_t>(row.first.basis) >= fit.dictionary.size();
-  });
-  std::erase_if(edits.cluster_names,
-                [&](const auto& row) { return static_cast<size_t>(row.first) >= fit.clusters.size(); });
+// Rows that a changed fit has no longer: the model was exported or the preset made anew with fewer functions. Returns
+// how many edits went with them.
+size_t drop_lost_rows(EditLayer& edits, const Spmm& fit) {
+  return std::erase_if(edits.bases,
+                       [&](const auto& row) {
+                         return static_cast<size_t>(row.first.cluster) >= fit.clusters.size() ||
+                                static_cast<size_t>(row.first.basis) >= fit.dictionary.size();
+                       }) +
+         std::erase_if(edits.cluster_names,
+                       [&](const auto& row) { return static_cast<size_t>(row.first) >= fit.clusters.size(); });
+}
+
+// The designer's edits outlive a preset that was made anew.
+void say_changed(std::string_view file, const std::string& stored, const std::string& needed, size_t lost) {
+  spdlog::warn("{}: the preset \"{}\"{} has changed since the project was saved; the edits over it are kept{}", file,
+               stored, needed, lost == 0 ? "" : fmt::format(" but for {} of what it has no longer", lost));
 }
 
 }  // namespace
@@ -86,11 +94,15 @@ Result<std::vector<MaterialInstance>> materials_from_json(const JsonReader& list
       VAMP_TRY(const Preset read, load_preset(path));
       preset = {read.fit, fit_checksum(*read.fit)};
     }
-    if (preset.checksum != material.checksum)
-      return fail(ErrorKind::bad_input, file, place,
-                  fmt::format("\"{}\" as it was when the document was saved ({})", stored, material.checksum),
-                  fmt::format("another fit ({})", preset.checksum));
     material.fit = preset.fit;
+    if (preset.checksum != material.checksum) {
+      if (use == PathUse::job)
+        return fail(ErrorKind::bad_input, file, place,
+                    fmt::format("\"{}\" as it was when the picture was made ({})", stored, material.checksum),
+                    fmt::format("another fit ({})", preset.checksum));
+      say_changed(file, stored, needed_by(parts, i), drop_lost_rows(material.edits, *material.fit));
+      material.checksum = preset.checksum;
+    }
     materials.push_back(std::move(material));
   }
   VAMP_CHECK_STATUS(list.status());

@@ -160,12 +160,52 @@ TEST_F(ProjectFile, SaysWhichPartNeedsAMissingPreset) {
   EXPECT_THAT(loaded.error().message(), HasSubstr("\"vamp\""));
 }
 
-TEST_F(ProjectFile, RefusesAPresetThatHasChanged) {
+TEST_F(ProjectFile, TakesAPresetThatHasChangedAndKeepsTheEditsOverIt) {
   ASSERT_TRUE(save_project(project_, file_));
   ASSERT_TRUE(save_preset(test::small_preset("calf", 0.75f), folder_ / "materials" / "calf.vamp"));
   const auto loaded = load_project(file_);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  const MaterialInstance &before = project_.materials.back(), &after = loaded->materials.back();
+  EXPECT_EQ(after.edits, before.edits);
+  EXPECT_EQ(after.fit->entries[0].basis_red, test::small_fit(0.75f)->entries[0].basis_red);
+  EXPECT_NE(after.checksum, before.checksum);
+  // What is saved again opens without a word.
+  ASSERT_TRUE(save_project(*loaded, file_));
+  EXPECT_EQ(load_project(file_).value().materials.back().checksum, after.checksum);
+}
+
+TEST_F(ProjectFile, LeavesOutTheEditsOfFunctionsThatAChangedPresetHasNoLonger) {
+  ASSERT_TRUE(save_project(project_, file_));
+  Preset fewer = test::small_preset("calf");
+  auto fit = std::make_shared<Spmm>(*fewer.fit);
+  for (auto& entry : fit->entries) entry.basis_red &= 0xffff0000u;
+  fit->dictionary.resize(1);
+  fewer.fit = fit;
+  ASSERT_TRUE(save_preset(fewer, folder_ / "materials" / "calf.vamp"));
+  const auto loaded = load_project(file_);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_TRUE(loaded->materials.back().edits.bases.empty());
+  EXPECT_EQ(loaded->materials.back().edits.cluster_names.at(1), "crease");
+}
+
+TEST_F(ProjectFile, RefusesAPresetThatIsDamaged) {
+  ASSERT_TRUE(save_project(project_, file_));
+  const fs::path preset = folder_ / "materials" / "calf.vamp";
+  std::string bytes = read_text(preset, 1 << 24).value();
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  ASSERT_TRUE(write_text_atomically(preset, bytes));
+  const auto loaded = load_project(file_);
   ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().message(), HasSubstr("another fit"));
+  EXPECT_THAT(loaded.error().message(), HasSubstr("calf.vamp"));
+}
+
+TEST_F(ProjectFile, JobOfAPresetThatHasChangedIsRefused) {
+  const std::string text = job_to_text({project_, 64, 64, 1}, folder_).value();
+  ASSERT_TRUE(job_from_text(text, folder_, "picture.png"));
+  ASSERT_TRUE(save_preset(test::small_preset("calf", 0.75f), folder_ / "materials" / "calf.vamp"));
+  const auto job = job_from_text(text, folder_, "picture.png");
+  ASSERT_FALSE(job);
+  EXPECT_THAT(job.error().message(), HasSubstr("another fit"));
 }
 
 TEST_F(ProjectFile, TakesAModelThatHasLostAndGainedParts) {
