@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 
 #include "app/commands/command.h"
+#include "engine/core/text.h"
 
 namespace vamp {
 namespace {
@@ -20,9 +19,7 @@ Result<Json> info_of(const fs::path& path) {
     const bool pictures = !fs::exists(path / "material.json", code) && !fs::exists(path / "tables.bin", code);
     return pictures ? btf_info(path) : preset_info(path);
   }
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_extension(path);
   if (extension == ".glb" || extension == ".gltf") return model_info(path);
   if (extension == ".vampproj") return project_info(path);
   if (extension == ".vamp") return preset_info(path);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "engine/core/files.h"
 #include "engine/core/log.h"
@@ -37,13 +36,6 @@ std::string names_of(const std::vector<fs::path>& files) {
 }
 
 }  // namespace
-
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 bool is_model(const fs::path& path) {
   return std::find(kDocuments.begin(), kDocuments.end(), lower_extension(path)) != kDocuments.end();
@@ -111,6 +103,7 @@ void DocumentFiles::when_settled_since(const ProjectPtr& before, const std::stri
 void DocumentFiles::load(const fs::path& path) {
   if (loading_) loading_->cancel();
   problem_.clear();
+  load_began_ = std::chrono::system_clock::now();
   const std::string name = path.empty() ? "the default shoe" : path.filename().string();
   loading_ = jobs_.start(
       "Loading " + name,
@@ -147,6 +140,11 @@ void DocumentFiles::take(Project project, const fs::path& document, bool fresh) 
   edited_at_ = saved_at_ = std::nullopt;
   autosave_.update(document_);
   if (replaced) replaced(fresh);
+  // What is not quite as it was saved: the log alone is read by few.
+  const std::vector<std::string> warnings = warnings_since(load_began_);
+  if (warnings.empty()) return;
+  const std::string others = warnings.size() == 1 ? "" : fmt::format("\n{} more in the Log panel", warnings.size() - 1);
+  ui::notify(ui::Notice::warning, warnings.front() + others);
 }
 
 void DocumentFiles::save(std::function<void()> then) {
@@ -244,6 +242,7 @@ void DocumentFiles::offer_recovery() {
 void DocumentFiles::recover_leftover(const Leftover& leftover) {
   if (loading_) loading_->cancel();
   problem_.clear();
+  load_began_ = std::chrono::system_clock::now();
   loading_ = jobs_.start(
       "Recovering", [leftover](Progress&) { return recover(leftover); },
       [this, leftover, before = document_.project()](Result<Project> project) {

@@ -11,6 +11,8 @@
 #include "editor/model/recent.h"
 #include "editor/widgets/file_dialog.h"
 #include "editor/widgets/notify.h"
+#include "engine/core/clock.h"
+#include "engine/core/text.h"
 #include "engine/core/jobs.h"
 
 namespace vamp {
@@ -54,7 +56,6 @@ class DocumentFiles {
   Autosave& autosave() { return autosave_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   void load(const std::filesystem::path& path);
   void when_settled_since(const ProjectPtr& before, const std::string& name, std::function<void()> go_on);
   void take_recovered(const Leftover& leftover, Project project);
@@ -73,11 +74,11 @@ class DocumentFiles {
   std::shared_ptr<Progress> loading_;
   bool ready_ = false;
   std::string problem_;
+  std::chrono::system_clock::time_point load_began_;
   std::optional<Clock::time_point> saved_at_, edited_at_;
 };
 
 // What can be opened as a document.
 bool is_model(const std::filesystem::path& path);
-std::string lower_extension(const std::filesystem::path& path);
 
 }  // namespace vamp

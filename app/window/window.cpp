@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 
 #include "app/window/glfw_input.h"
@@ -14,16 +13,13 @@
 #include "app/window/painter.h"
 #include "app/window/swapchain.h"
 #include "app/window/textures.h"
+#include "engine/core/clock.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
 
 namespace vamp::window {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::string glfw_error() {
   const char* text = nullptr;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/files.h"
+#include "engine/core/text.h"
 #include "engine/project/file_reference.h"
 
 namespace vamp {
@@ -13,13 +14,6 @@ namespace {
 
 constexpr size_t kMaxEntries = 10000;
 constexpr size_t kMaxFileStem = 64;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 bool is_preset(const fs::path& path) {
   std::error_code code;
@@ -138,6 +132,12 @@ Result<fs::path> PresetLibrary::save_new(const Preset& preset) {
   VAMP_CHECK_STATUS(save_preset(preset, place));
   rescan();
   return place;
+}
+
+Result<fs::path> PresetLibrary::duplicate(const fs::path& path) {
+  VAMP_TRY(Preset preset, load_preset(path));
+  preset.name += " copy";
+  return save_new(preset);
 }
 
 Status PresetLibrary::overwrite(const fs::path& path, const Preset& preset) {

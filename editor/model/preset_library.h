@@ -40,6 +40,8 @@ class PresetLibrary {
   // Saves under a file name made from the preset's name that no other file has ("calf-cognac.vamp",
   // "calf-cognac-2.vamp"), and rescans. Returns the path.
   Result<std::filesystem::path> save_new(const Preset& preset);
+  // A copy of any preset among the user's own: "Calf, cognac copy".
+  Result<std::filesystem::path> duplicate(const std::filesystem::path& path);
   // Writes over one of the user's own.
   Status overwrite(const std::filesystem::path& path, const Preset& preset);
   // Another name in the preset; the file keeps its name, so that projects find it.

@@ -1,23 +1,19 @@
 #include "editor/panels/log_panel.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "editor/widgets/controls.h"
 #include "editor/widgets/hover.h"
 #include "editor/widgets/theme.h"
 #include "engine/core/log.h"
+#include "engine/core/text.h"
 
 namespace vamp::ui {
 
 namespace {
 
 bool contains(const std::string& text, const std::string& wanted) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), wanted.begin(), wanted.end(), same) != text.end();
+  return lower(text).find(lower(wanted)) != std::string::npos;
 }
 
 ImU32 colour_of(int level) {

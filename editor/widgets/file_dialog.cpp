@@ -12,6 +12,7 @@
 #include "editor/widgets/icons.h"
 #include "editor/widgets/notify.h"
 #include "editor/widgets/theme.h"
+#include "engine/core/text.h"
 
 namespace vamp::ui {
 
@@ -29,11 +30,6 @@ fs::path home() {
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 bool fits(const std::string& name, const std::vector<std::string>& extensions) {
@@ -281,6 +277,8 @@ void FileDialog::draw_footer() {
 
 // Arrows work while the name is being typed: they choose in the list.
 void FileDialog::handle_keys() {
+  // Also out of the name's field, which would keep the first Esc for itself.
+  if (ImGui::IsKeyPressedMap(ImGuiKey_Escape, false)) open_ = false;
   const int count = static_cast<int>(entries_.size());
   const int step = ImGui::IsKeyPressedMap(ImGuiKey_DownArrow) ? 1 : ImGui::IsKeyPressedMap(ImGuiKey_UpArrow) ? -1 : 0;
   if (step != 0 && count > 0) {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <utility>
 
 #include "engine/core/check.h"
+#include "engine/core/text.h"
 #include "engine/gpu/device_open.h"
 #include "engine/gpu/instance.h"
 #include "engine/gpu/machine.h"
@@ -18,11 +18,6 @@
 
 namespace vamp::gpu {
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 // The device that `wanted` means: an index, a part of a name, or empty for the best that serves.
 Result<Instance::Candidate> choose(std::vector<Instance::Candidate> all, const std::string& wanted) {

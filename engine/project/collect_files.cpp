@@ -11,11 +11,6 @@ namespace {
 constexpr uint64_t kMaxGltfBytes = 64 << 20;
 constexpr size_t kMaxGltfResources = 65536;
 
-fs::path folder_of(const fs::path& path) {
-  std::error_code code;
-  return fs::absolute(path, code).parent_path();
-}
-
 bool lies_outside(const std::string& reference, const fs::path& folder) {
   return !reference.empty() && !stored_name(reference, "", folder, PathUse::portable, "").has_value();
 }

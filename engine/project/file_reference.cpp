@@ -34,6 +34,12 @@ std::optional<std::string> below(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
+fs::path folder_of(const fs::path& document) {
+  std::error_code code;
+  const fs::path full = fs::absolute(document, code);
+  return (code ? document : full).parent_path();
+}
+
 fs::path preset_library_dir() { return data_dir() / "presets"; }
 
 std::string make_reference(const fs::path& path) {

@@ -35,6 +35,9 @@ Result<std::string> reference_from_stored(std::string_view stored, std::string_v
                                           const std::filesystem::path& folder, PathUse use, std::string_view file,
                                           std::string_view place);
 
+// The folder that a document lies in; as given where the working folder is gone.
+std::filesystem::path folder_of(const std::filesystem::path& document);
+
 // The user's preset library, which "library:" stands for.
 std::filesystem::path preset_library_dir();
 

@@ -1,12 +1,12 @@
 #include "engine/project/project.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "engine/core/check.h"
 #include "engine/core/log.h"
+#include "engine/core/text.h"
 #include "engine/project/file_reference.h"
 #include "engine/project/fit_checksum.h"
 #include "engine/project/known_files.h"
@@ -37,11 +37,6 @@ std::string unique_name(const Project& project, const std::string& wanted) {
   std::string name = wanted;
   for (int i = 2; taken.contains(name); ++i) name = wanted + " " + std::to_string(i);
   return name;
-}
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 }  // namespace
@@ -172,7 +167,7 @@ int find_part(const Project& project, std::string_view name) {
   for (size_t i = 0; i < project.parts.size(); ++i)
     if (project.parts[i].name == name) return static_cast<int>(i);
   for (size_t i = 0; i < project.parts.size(); ++i)
-    if (equal_ignoring_case(project.parts[i].name, name)) return static_cast<int>(i);
+    if (lower(project.parts[i].name) == lower(name)) return static_cast<int>(i);
   return -1;
 }
 

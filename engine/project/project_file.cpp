@@ -1,26 +1,13 @@
 #include "engine/project/project_file.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "engine/core/files.h"
+#include "engine/core/text.h"
+#include "engine/project/file_reference.h"
 
 namespace vamp {
 namespace {
 
 constexpr uint64_t kMaxProjectBytes = 64 << 20;
-
-fs::path folder_of(const fs::path& path) {
-  std::error_code code;
-  return fs::absolute(path, code).parent_path();
-}
-
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 }  // namespace
 

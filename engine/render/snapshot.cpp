@@ -4,23 +4,13 @@
 #include <cctype>
 #include <string>
 
+#include "engine/core/text.h"
 #include "engine/image/display.h"
 #include "engine/image/save.h"
 
 namespace vamp {
-namespace {
-
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
-}  // namespace
-
 Status check_snapshot(const std::filesystem::path& path, const StillOptions& options) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if (extension != ".png" && extension != ".exr")
     return fail(ErrorKind::usage, path.string(), "extension", ".png or .exr", extension.empty() ? "none" : extension);
   if (extension == ".png" && !options.layers.empty())
@@ -37,7 +27,7 @@ Status save_snapshot(const Still& still, const Job& job, const std::filesystem::
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   VAMP_TRY(const std::string text, job_to_text(job, folder));
   Metadata metadata = {{"Software", "Vamp"}, {std::string(kJobKey), text}};
-  if (extension_of(path) == ".exr") return save_exr(path, still.image, {.half = format.exr_half, .metadata = metadata});
+  if (lower_extension(path) == ".exr") return save_exr(path, still.image, {.half = format.exr_half, .metadata = metadata});
 
   const DisplaySettings& shown = job.project.display;
   const ToneCurve curve = shown.tone_map == ToneMap::pbr_neutral ? ToneCurve::neutral : ToneCurve::linear;

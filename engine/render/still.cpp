@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "engine/core/clock.h"
 #include "engine/core/progress.h"
 #include "engine/gpu/device.h"
 #include "engine/render/renderer.h"
@@ -12,12 +12,8 @@
 namespace vamp {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // A region's buffers take about 100 bytes a pixel and 32 for each accumulator plane: some 300 MB at this size.
 constexpr int kRegionSide = 1024;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::vector<Region> regions_of(int width, int height) {
   std::vector<Region> regions;
