@@ -53,6 +53,9 @@ int main(int argc, char** argv) {
   add_compare(app, common, action);
   add_info(app, common, action);
   add_convert(app, common, action);
+  add_acquire(app, common, action);
+  add_fit(app, common, action);
+  add_evaluate(app, common, action);
   add_brdf(app, common, action);
   add_help(app, action);
   app.require_subcommand(0, 1);

@@ -10,7 +10,7 @@ namespace vamp::fit {
 struct DictionaryOptions {
   size_t bases = 32;     // at most
   size_t functions = 5;  // of them a texel may use while the dictionary is chosen and refined
-  int rounds = 8;        // of coding and refinement; 0 leaves the lobes as they were found
+  int rounds = 12;       // of coding and refinement; 0 leaves the lobes as they were found
   double guard = 1.5;    // see explodes()
 };
 

@@ -18,7 +18,9 @@ namespace vamp::fit {
 namespace {
 
 // Functions a texel may use while lobes are looked for.
-constexpr size_t kLobesOfATexel = 8, kFunctionsWhileRefining = 5;
+constexpr size_t kLobesOfATexel = 8, kFunctionsWhileRefining = 8;
+// Texels that the dictionary is chosen and refined on, at least.
+constexpr size_t kExemplars = 512;
 
 // The stages of a fit and what they took.
 class Stages {
@@ -109,16 +111,24 @@ Exemplars part_of(const Exemplars& exemplars, const std::vector<size_t>& rows) {
   return part;
 }
 
-Dictionary make_dictionary(const Exemplars& exemplars, const std::vector<Representative>& representatives,
-                           size_t clusters, const FitOptions& options, const Worker& worker, FitReport& report) {
-  const std::vector<std::vector<Basis>> lobes = lobes_of(exemplars, worker, report);
+Dictionary make_dictionary(const std::vector<std::vector<Basis>>& lobes,
+                           const std::vector<Representative>& representatives, const Exemplars& exemplars,
+                           const std::vector<Representative>& judges, size_t clusters, const FitOptions& options,
+                           const Worker& worker, FitReport& report) {
   DictionaryOptions choice;
   choice.bases = static_cast<size_t>(options.bases);
   choice.functions = std::min(kFunctionsWhileRefining, static_cast<size_t>(options.functions));
   Dictionary dictionary;
-  const auto add = [&](const std::vector<size_t>& rows) {
+  const auto add = [&](size_t first_cluster, size_t end_cluster) {
+    const auto inside = [&](const Representative& each) {
+      return each.cluster >= first_cluster && each.cluster < end_cluster;
+    };
     std::vector<Basis> candidates = {{"", default_lobe(Model::lambert), {0, 0, 1}, 0}};
-    for (const size_t i : rows) candidates.insert(candidates.end(), lobes[i].begin(), lobes[i].end());
+    for (size_t i = 0; i < representatives.size(); ++i)
+      if (inside(representatives[i])) candidates.insert(candidates.end(), lobes[i].begin(), lobes[i].end());
+    std::vector<size_t> rows;
+    for (size_t i = 0; i < judges.size(); ++i)
+      if (inside(judges[i])) rows.push_back(i);
     const Exemplars part = part_of(exemplars, rows);
     candidates = without_repeats(candidates, part, choice.guard);
     report.candidates += static_cast<int>(candidates.size());
@@ -129,13 +139,9 @@ Dictionary make_dictionary(const Exemplars& exemplars, const std::vector<Represe
     dictionary.bases.insert(dictionary.bases.end(), chosen.begin(), chosen.end());
   };
   if (options.per_cluster) {
-    std::vector<std::vector<size_t>> rows(clusters);
-    for (size_t i = 0; i < representatives.size(); ++i) rows[representatives[i].cluster].push_back(i);
-    for (const auto& each : rows) add(each);
+    for (size_t c = 0; c < clusters; ++c) add(c, c + 1);
   } else {
-    std::vector<size_t> all(representatives.size());
-    std::iota(all.begin(), all.end(), size_t{0});
-    add(all);
+    add(0, clusters);
     dictionary.allowed.clear();
   }
   return dictionary;
@@ -207,8 +213,19 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   stages.done("clusters");
   if (stopped()) return JobQueue::cancelled_error();
 
-  const Exemplars exemplars = exemplars_of(measurement, representatives, limits);
-  const Dictionary dictionary = make_dictionary(exemplars, representatives, clustering.count, options, worker, report);
+  std::vector<std::vector<Basis>> lobes;
+  {
+    const Exemplars exemplars = exemplars_of(measurement, representatives, limits);
+    lobes = lobes_of(exemplars, worker, report);
+  }
+  stages.done("lobes");
+  if (stopped()) return JobQueue::cancelled_error();
+
+  const size_t judges_each = std::max(static_cast<size_t>(options.representatives), kExemplars / clustering.count);
+  const std::vector<Representative> judges =
+      find_representatives(found.coordinates, clustering, judges_each, options.seed, worker);
+  const Dictionary dictionary = make_dictionary(lobes, representatives, exemplars_of(measurement, judges, limits),
+                                                judges, clustering.count, options, worker, report);
   stages.done("dictionary");
   if (stopped()) return JobQueue::cancelled_error();
 
