@@ -24,7 +24,7 @@ constexpr vec3 kCurves[] = {{0.12f, 0.35f, 0.65f}, {0.80f, 0.37f, 0.08f}, {0.18f
 
 struct Options {
   LobeWords lobe;
-  std::string out = "brdf.svg", kind = "polar", on, theta = "0,30,60,80", phi_d = "90", decades = "4";
+  std::string out = "brdf.svg", kind = "polar", on, theta = "0,30,60", phi_d = "90", decades = "4";
 };
 
 std::string title_of(const Lobe& lobe) {
@@ -98,7 +98,7 @@ Figure polar_figure(const Lobe& lobe, BrdfEngine& engine, const std::vector<doub
   }
   for (int angle = -90; angle <= 90; angle += 30) {
     figure.line({kCentre, at(angle, 1)}, kGrid);
-    figure.words(at(angle, 1.06f), fmt::format("{}\u00b0", std::abs(angle)), 12, Anchor::middle);
+    figure.words(at(angle, 1.06f), fmt::format("{}", std::abs(angle)), 12, Anchor::middle);
   }
   for (size_t c = 0; c < curves.size(); ++c) {
     const vec3 colour = kCurves[c % std::size(kCurves)];
@@ -107,11 +107,11 @@ Figure polar_figure(const Lobe& lobe, BrdfEngine& engine, const std::vector<doub
       points.push_back(at(curves[c].angles[i], share(curves[c].values[i], top, decades)));
     figure.line(std::move(points), colour, 1.8f);
     figure.line({at(curves[c].theta, 0.96f), at(curves[c].theta, 1.02f)}, colour, 4);
-    figure.words(vec2(16, 52 + 20 * static_cast<float>(c)), fmt::format("viewer at {:g}\u00b0", curves[c].theta), 13,
+    figure.words(vec2(16, 52 + 20 * static_cast<float>(c)), fmt::format("viewer at {:g} degrees", curves[c].theta), 13,
                  Anchor::left, colour);
   }
   figure.words(vec2(16, 22), title_of(lobe), 14, Anchor::left);
-  figure.words(vec2(400, 448), "f in 1/sr by the light's angle in the plane of incidence, logarithmic", 12,
+  figure.words(vec2(400, 448), "f in 1/sr by the light's angle in the plane of incidence, degrees; logarithmic", 12,
                Anchor::middle);
   return figure;
 }
@@ -148,8 +148,9 @@ Figure slice_figure(const Lobe& lobe, BrdfEngine& engine, double phi_d, float de
     for (int x = 0; x < kSide; ++x)
       questions.push_back(rusinkiewicz(lobe, 90 * std::pow((x + 0.5) / kSide, 2), 90 * (1 - (y + 0.5) / kSide), phi_d));
   const auto values = engine.values(questions);
+  // Towards grazing many lobes grow without end: beyond 75 degrees they do not set the scale.
   double top = 0;
-  for (size_t i = 0; i < values.size(); ++i) top = std::max(top, f_of(values[i], questions[i]));
+  for (size_t i = kSide * kSide / 6; i < values.size(); ++i) top = std::max(top, f_of(values[i], questions[i]));
   if (!(top > 0)) top = 1;
 
   Figure figure(700, 610);
@@ -162,10 +163,10 @@ Figure slice_figure(const Lobe& lobe, BrdfEngine& engine, double phi_d, float de
   const float side = kSide * kCell;
   for (const int degrees : {0, 5, 15, 30, 45, 60, 90})
     figure.words(kCorner + vec2(side * std::sqrt(static_cast<float>(degrees) / 90), side + 14),
-                 fmt::format("{}\u00b0", degrees), 12, Anchor::middle);
+                 fmt::format("{}", degrees), 12, Anchor::middle);
   for (int degrees = 0; degrees <= 90; degrees += 15)
-    figure.words(kCorner + vec2(-8, side * (1 - static_cast<float>(degrees) / 90)), fmt::format("{}\u00b0", degrees),
-                 12, Anchor::right);
+    figure.words(kCorner + vec2(-8, side * (1 - static_cast<float>(degrees) / 90)), fmt::format("{}", degrees), 12,
+                 Anchor::right);
   for (int i = 0; i < 96; ++i)
     figure.area(kCorner + vec2(side + 30, side * static_cast<float>(i) / 96), vec2(18, side / 96),
                 heat(1 - static_cast<float>(i) / 95));
@@ -173,11 +174,9 @@ Figure slice_figure(const Lobe& lobe, BrdfEngine& engine, double phi_d, float de
     figure.words(kCorner + vec2(side + 54, side * static_cast<float>(d) / decades),
                  fmt::format("{:.2g}", top * std::pow(10.0, -d)), 12, Anchor::left);
   figure.words(vec2(16, 22), title_of(lobe), 14, Anchor::left);
-  figure.words(
-      kCorner + vec2(side / 2, side + 38),
-      fmt::format("half angle \u03b8h, by its root; up: difference angle \u03b8d; \u03c6d {:g}\u00b0; f in 1/sr",
-                  phi_d),
-      12, Anchor::middle);
+  figure.words(kCorner + vec2(side / 2, side + 38),
+               fmt::format("theta_h, by its root; up: theta_d; phi_d {:g}; degrees; f in 1/sr", phi_d), 12,
+               Anchor::middle);
   return figure;
 }
 
