@@ -12,8 +12,10 @@ layout(constant_id = SPEC_ENVIRONMENT) const bool ENVIRONMENT = false;
 layout(constant_id = SPEC_MIRROR) const bool MIRROR = false;
 layout(constant_id = SPEC_ALPHA_MASK) const bool ALPHA_MASK = false;
 layout(constant_id = SPEC_RESIDUAL) const uint RESIDUAL = 5;
+#ifndef LOBE_MODELS
 layout(constant_id = SPEC_LOBE_MODELS) const uint LOBES_IN_SCENE = 0xffffffff;
 #define LOBE_MODELS LOBES_IN_SCENE
+#endif
 layout(constant_id = SPEC_FOUR_TAPS) const bool FOUR_TAPS = false;
 layout(constant_id = SPEC_STORAGE_FETCH) const bool STORAGE_FETCH = false;
 layout(constant_id = SPEC_PIXEL_CENTRES) const bool PIXEL_CENTRES = false;
