@@ -44,6 +44,7 @@ Rows summed(size_t count, size_t length, const Worker& worker, const Work& work)
 
 // Replaces rows by an orthonormal basis of their span; directions below rounding are left out.
 Rows orthonormal(const Rows& rows) {
+  if (rows.count == 0) return rows;
   const auto n = static_cast<Eigen::Index>(rows.count);
   Matrix gram(n, n);
   gram_rows(rows.row(0), rows.count, rows.length, gram.data());
