@@ -89,6 +89,8 @@ const std::vector<gpu::Binding>& kernel_bindings() {
       {BINDING_AOV, storage_texel},
       {BINDING_BOXES, uniform_texel},
       {BINDING_BOXES_STORAGE, storage_buffer},
+      {BINDING_LIST, storage_buffer},
+      {BINDING_SEEN, storage_texel},
   };
   return bindings;
 }
@@ -114,7 +116,8 @@ const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
                     {SPEC_FOUR_TAPS, key.four_taps},
                     {SPEC_STORAGE_FETCH, key.storage_fetch},
                     {SPEC_PIXEL_CENTRES, key.pixel_centres},
-                    {SPEC_NEW_HIT, key.new_hit}};
+                    {SPEC_NEW_HIT, key.new_hit},
+                    {SPEC_LIST, key.list}};
   return pipelines_.emplace(std::pair(pass, key), gpu::ComputePipeline(*device_, desc)).first->second;
 }
 

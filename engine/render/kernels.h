@@ -28,6 +28,7 @@ struct KernelKey {
   bool storage_fetch = false;
   bool pixel_centres = false;
   bool new_hit = true;
+  bool list = false;
   auto operator<=>(const KernelKey&) const = default;
 
   uint32_t ray_count() const { return light_count + (ambient ? 1u : 0u) + (environment ? 1u : 0u); }

@@ -92,6 +92,21 @@ ChangedRows apply_edits(MaterialTables& all, const Project& project, size_t mate
           replace_rows(all.clusters, place.cluster, edited.clusters)};
 }
 
+namespace {
+
+// Neighbouring materials begin far from each other, so that few clusters of a scene share a bit.
+uint32_t first_seen_bit(size_t material) { return static_cast<uint32_t>(material * 11 % 32); }
+
+}  // namespace
+
+uint32_t seen_bit(size_t material, uint32_t cluster) { return 1u << ((first_seen_bit(material) + cluster) % 32); }
+
+uint32_t seen_bits(const Project& project, size_t material) {
+  uint32_t bits = 0;
+  for (uint32_t c = 0; c < project.materials[material].fit->clusters.size(); ++c) bits |= seen_bit(material, c);
+  return bits;
+}
+
 std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene,
                                       const MaterialTables& materials) {
   std::vector<frame::PartRow> rows;
@@ -113,6 +128,7 @@ std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables&
     row.direction_triangles = place.triangles;
     row.direction_map = place.map;
     row.last_ring_cos = place.last_ring_cos;
+    row.flags = first_seen_bit(static_cast<size_t>(part.material)) << PART_SEEN_SHIFT;
     if (has_residual(material)) row.flags |= residual_terms(material) << PART_TERMS_SHIFT;
 
     // Texture coordinates in periods. A measured material has a size in mm; the model's own follows its texture.

@@ -43,6 +43,10 @@ struct ChangedRows {
 };
 ChangedRows apply_edits(MaterialTables& tables, const Project& project, size_t material);
 
+// What a pixel that saw a cluster of a material remembers of it: one of 32 bits, shared by clusters whose numbers meet.
+uint32_t seen_bit(size_t material, uint32_t cluster);
+uint32_t seen_bits(const Project& project, size_t material);  // all of its clusters
+
 // The rows of the scene's parts.
 std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene,
                                       const MaterialTables& materials);

@@ -59,7 +59,7 @@ frame::TilePush push_of(const Region& tile, uint32_t sample_base) {
           0};
 }
 
-uint32_t groups(int side) { return (static_cast<uint32_t>(side) + 7) / 8; }
+uint32_t groups(uint32_t side) { return (side + 7) / 8; }
 
 bool any_lit(const Project& project) { return project.ambient != vec3(0); }
 
@@ -79,6 +79,7 @@ void Renderer::set_region(int picture_width, int picture_height, const Region& r
   region_ = region;
   tiles_ = tiles_from_the_middle(region.width, region.height);
   samples_.assign(tiles_.size(), 0);
+  replay_.clear();
   set_ = {};
   hits_ = {};
   if (project_) {
@@ -94,8 +95,16 @@ void Renderer::make_picture() {
     buffer = std::remove_reference_t<decltype(buffer)>(*device_, name, count, gpu::Usage::storage_texel);
     view = gpu::TexelView(*device_, buffer, format);
   };
-  table(hits_, hits_view_, "hits", pixels * (key_.mirror ? 2 : 1), VK_FORMAT_R32_UINT);
-  table(visibility_, visibility_view_, "visibility", pixels * SAMPLES_PER_HIT, VK_FORMAT_R32_UINT);
+  const uint64_t vertices = key_.mirror ? 2 : 1;
+  const uint64_t words = (SAMPLES_PER_HIT * key_.ray_count() + 31) / 32;
+  const uint64_t hit_bytes = pixels * vertices * (1 + words) * sizeof(uint32_t);
+  const uint64_t wanted = (project_->settings.max_samples + uint64_t{SAMPLES_PER_HIT} - 1) / SAMPLES_PER_HIT;
+  // One more place for what is not kept.
+  history_ = 1 + static_cast<uint32_t>(std::min(history_bytes_ / hit_bytes, wanted));
+  table(hits_, hits_view_, "hits", pixels * vertices * history_, VK_FORMAT_R32_UINT);
+  table(visibility_, visibility_view_, "visibility", pixels * vertices * words * history_, VK_FORMAT_R32_UINT);
+  table(seen_, seen_view_, "seen clusters", 2 * pixels, VK_FORMAT_R32_UINT);
+  list_ = gpu::TypedBuffer<uint32_t>(*device_, "pixels to shade again", pixels);
   table(accumulators_, accumulators_view_, "accumulators", pixels * 2 * key_.planes(), VK_FORMAT_R32G32B32A32_SFLOAT);
   table(aov_, aov_view_, "layers", pixels * kAovLayers, VK_FORMAT_R32G32B32A32_SFLOAT);
   display_ = gpu::TypedBuffer<uint32_t>(*device_, "display", pixels);
@@ -108,7 +117,9 @@ void Renderer::make_descriptor_set() {
                              {BINDING_VISIBILITY, visibility_view_},
                              {BINDING_ACCUMULATORS, accumulators_view_},
                              {BINDING_DISPLAY, display_},
-                             {BINDING_AOV, aov_view_}});
+                             {BINDING_AOV, aov_view_},
+                             {BINDING_LIST, list_},
+                             {BINDING_SEEN, seen_view_}});
   set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound);
 }
 
@@ -153,6 +164,12 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   };
 
   bool new_tables = false;
+  // Clusters of which the light that they send to the viewer changed, as bits; no ray moved.
+  uint32_t touched = 0;
+  const auto reshade = [&](uint32_t seen, const char* why) {
+    if (change.what.empty()) change.what = why;
+    touched |= seen;
+  };
   if (geometry_differs(now)) {
     scene_tables_ = std::make_shared<SceneTables>(build_scene_tables(*now.scene, visible_parts(now)));
     VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, *scene_tables_, key_.storage_fetch));
@@ -160,12 +177,16 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     new_tables = true;
     restart("geometry");
   }
+  const bool new_geometry = new_tables;
   if (materials_differ(now)) {
     VAMP_TRY(material_tables_, build_material_tables(now));
     VAMP_TRY(const uint64_t bytes, gpu_.send_materials(*device_, material_tables_));
     change.bytes += bytes;
     new_tables = true;
-    restart("material assigned");
+    if (new_geometry)
+      restart("geometry");
+    else
+      reshade(~0u, "material assigned");
   } else {
     // The common edit: some rows of 48 or 16 bytes.
     for (size_t i = 0; i < now.materials.size(); ++i) {
@@ -178,10 +199,20 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
       for (const auto& [first, count] : rows.clusters)
         change.bytes += device_->upload_rows<tables::ClusterRow>(
             gpu_.clusters.rows, first, std::span(material_tables_.clusters).subspan(first, count));
-      if (!rows.bases.empty() || !rows.clusters.empty()) restart("material edited");
+      const MaterialTables::Place& place = material_tables_.places[i];
+      const uint32_t bases = static_cast<uint32_t>(now.materials[i].fit->dictionary.size());
+      uint32_t seen = 0;
+      for (const auto& [first, count] : rows.bases)
+        for (uint32_t row = first; row < first + count; ++row) seen |= seen_bit(i, (row - place.basis) / bases);
+      for (const auto& [first, count] : rows.clusters)
+        for (uint32_t row = first; row < first + count; ++row) seen |= seen_bit(i, row - place.cluster);
+      if (seen != 0) reshade(seen, "material edited");
     }
   }
   const std::vector<frame::PartRow> rows = vamp::part_rows(now, *scene_tables_, material_tables_);
+  if (part_rows_.size() == rows.size())
+    for (size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].mirror_f0 != part_rows_[i].mirror_f0) restart("mirror of a part");
   if (new_tables || rows.size() != part_rows_.size()) {
     VAMP_TRY(const uint64_t bytes, gpu_.send_parts(*device_, rows));
     change.bytes += bytes;
@@ -191,7 +222,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
       if (std::memcmp(&rows[i], &part_rows_[i], sizeof(rows[i])) == 0) continue;
       part_rows_[i] = rows[i];
       change.bytes += device_->upload_rows<frame::PartRow>(gpu_.parts.rows, i, std::span(&rows[i], 1));
-      restart("texture or mirror of a part");
+      reshade(seen_bits(now, static_cast<size_t>(now.parts[i].material)), "texture of a part");
     }
   }
   if (!project_ || now.environment.map != project_->environment.map) {
@@ -227,7 +258,15 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   key.four_taps = now.settings.tap == TexelTap::four;
   key.pixel_centres = now.settings.pixel_centres;
   const bool new_picture = key.planes() != key_.planes() || key.mirror != key_.mirror || !hits_;
-  if (key != key_) restart("what the scene needs");
+  // Kernels that differ in how they shade give the same bits where they agree on what to shade.
+  KernelKey same_rays = key;
+  same_rays.residual = key_.residual;
+  same_rays.lobe_models = key_.lobe_models;
+  same_rays.four_taps = key_.four_taps;
+  if (same_rays != key_)
+    restart("what the scene needs");
+  else if (key != key_)
+    reshade(~0u, "how texels are blended");
   key_ = key;
 
   if (project_) {
@@ -249,10 +288,13 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     if (new_picture || new_tables || !set_) make_descriptor_set();
     change.bytes += send_frame();
   }
-  if (change.restarted)
+  if (change.restarted) {
     std::fill(samples_.begin(), samples_.end(), 0u);
-  else if (std::memcmp(&before, &params_, sizeof(before)) != 0)
-    change.recomposed = true;
+    replay_.clear();
+  } else if (touched != 0 && region_.width > 0) {
+    begin_replay(touched, change);
+  }
+  if (!change.restarted && std::memcmp(&before, &params_, sizeof(before)) != 0) change.recomposed = true;
   return change;
 }
 
@@ -291,6 +333,7 @@ uint64_t Renderer::send_frame() {
   }
   p.light_count = key_.light_count;
   p.planes = key_.planes();
+  p.history = history_;
   p.list_end = static_cast<uint32_t>(scene_tables_->bvh.list_end());
   for (size_t i = 0; i < lights_.size(); ++i) p.emission[i] = light_emission(now.lights[lights_[i]]);
   if (std::memcmp(&p, &params_, sizeof(p)) == 0) return 0;
@@ -306,38 +349,95 @@ uint32_t Renderer::next_batch(uint32_t samples, uint32_t limit) const {
   if (samples >= limit) return 0;
   // The first hit's samples come one by one, so that something is seen soon.
   const bool whole_hit = samples >= SAMPLES_PER_HIT && samples % SAMPLES_PER_HIT == 0 &&
-                         limit - samples >= SAMPLES_PER_HIT && SAMPLES_PER_HIT * key_.ray_count() <= kMaxRaysOfBatch;
+                         limit - samples >= SAMPLES_PER_HIT && batches_fit();
   return whole_hit ? SAMPLES_PER_HIT : 1;
 }
 
-uint64_t Renderer::submit_batch(const Region& area, uint32_t done, uint32_t batch) {
+uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch) {
   if (batch == 0) return device_->last_submitted();
   KernelKey key = key_;
   key.samples = batch;
-  key.new_hit = done % SAMPLES_PER_HIT == 0;
+  key.new_hit = push.sample_base % SAMPLES_PER_HIT == 0;
+  key.list = list_of_pixels;
   gpu::CommandList list = device_->begin("refine");
-  for (const Pass pass : {Pass::trace, Pass::shade}) {
+  const auto dispatch = [&](Pass pass) {
     list.bind(kernels_.get(pass, key), set_);
-    list.push(push_of(area, done));
-    list.dispatch(groups(area.width), groups(area.height));
-    if (pass == Pass::trace) list.barrier(gpu::Stage::compute, gpu::Stage::compute);
+    list.push(push);
+    if (list_of_pixels)
+      list.dispatch((push.width + GROUP_SIZE - 1) / GROUP_SIZE);
+    else
+      list.dispatch(groups(push.width), groups(push.height));
+  };
+  if (trace) {
+    dispatch(Pass::trace);
+    list.barrier(gpu::Stage::compute, gpu::Stage::compute);
   }
+  dispatch(Pass::shade);
   return device_->submit(std::move(list));
 }
 
+void Renderer::begin_replay(uint32_t touched, Change& change) {
+  const uint64_t pixels = display_.count();
+  const std::vector<uint32_t> seen = device_->readback_rows<uint32_t>(seen_, 0, pixels, device_->last_submitted());
+  // Those that an earlier edit has left behind come along.
+  std::vector<bool> behind(pixels);
+  for (uint32_t i = 0; i < replay_.step().pixels; ++i) behind[replay_.pixels()[i]] = true;
+  std::vector<uint32_t> list, targets;
+  for (size_t t = 0; t < tiles_.size(); ++t) {
+    if (samples_[t] == 0) continue;
+    const Region& tile = tiles_[t];
+    for (int y = tile.y; y < tile.y + tile.height; ++y)
+      for (int x = tile.x; x < tile.x + tile.width; ++x) {
+        const uint32_t pixel = static_cast<uint32_t>(y * region_.width + x);
+        if (!behind[pixel] && (seen[pixel] & touched) == 0) continue;
+        list.push_back(pixel);
+        targets.push_back(samples_[t]);
+      }
+  }
+  change.reshaded = list.size();
+  replay_.begin(std::move(list), targets);
+  replay_at_ = 0;
+  if (replay_.active()) change.bytes += device_->upload_rows<uint32_t>(list_, 0, replay_.pixels());
+}
+
+uint64_t Renderer::replay(uint32_t most) {
+  CHECK(replaying() && most > 0);
+  const Replay::Step step = replay_.step();
+  const uint32_t done = replay_.done();
+  const bool whole_hit = done % SAMPLES_PER_HIT == 0 && step.limit - done >= SAMPLES_PER_HIT && batches_fit();
+  const uint32_t batch = whole_hit ? SAMPLES_PER_HIT : 1;
+  frame::TilePush push{};
+  push.x = replay_at_;
+  push.width = std::min(most, step.pixels - replay_at_);
+  push.height = 1;
+  push.sample_base = done;
+  const bool stored = done / SAMPLES_PER_HIT + 1 < history_;
+  const uint64_t value = submit_batch(push, true, !stored, batch);
+  replay_at_ += push.width;
+  if (replay_at_ == step.pixels) {
+    replay_at_ = 0;
+    replay_.advance(batch);
+  }
+  return value;
+}
+
+bool Renderer::batches_fit() const { return SAMPLES_PER_HIT * key_.ray_count() <= kMaxRaysOfBatch; }
+
 uint64_t Renderer::refine(int tile, uint32_t limit) {
+  CHECK(!replaying());
   uint32_t& done = samples_[static_cast<size_t>(tile)];
   const uint32_t batch = next_batch(done, limit);
-  const uint64_t value = submit_batch(tiles_[static_cast<size_t>(tile)], done, batch);
+  const uint64_t value = submit_batch(push_of(tiles_[static_cast<size_t>(tile)], done), false, true, batch);
   done += batch;
   return value;
 }
 
 uint64_t Renderer::refine_all(uint32_t limit) {
+  CHECK(!replaying());
   const uint32_t done = samples_.front();
   CHECK(std::all_of(samples_.begin(), samples_.end(), [&](uint32_t s) { return s == done; }));
   const uint32_t batch = next_batch(done, limit);
-  const uint64_t value = submit_batch({0, 0, region_.width, region_.height}, done, batch);
+  const uint64_t value = submit_batch(push_of({0, 0, region_.width, region_.height}, done), false, true, batch);
   std::fill(samples_.begin(), samples_.end(), done + batch);
   return value;
 }
@@ -348,7 +448,7 @@ uint64_t Renderer::recompose() {
   for (size_t i = 0; i < tiles_.size(); ++i) {
     if (samples_[i] == 0) continue;
     list.push(push_of(tiles_[i], samples_[i]));
-    list.dispatch(groups(tiles_[i].width), groups(tiles_[i].height));
+    list.dispatch(groups(static_cast<uint32_t>(tiles_[i].width)), groups(static_cast<uint32_t>(tiles_[i].height)));
   }
   return device_->submit(std::move(list));
 }
@@ -358,7 +458,7 @@ uint64_t Renderer::render_aov() {
   list.bind(kernels_.get(Pass::aov, key_), set_);
   for (const Region& area : tiles_) {
     list.push(push_of(area, 0));
-    list.dispatch(groups(area.width), groups(area.height));
+    list.dispatch(groups(static_cast<uint32_t>(area.width)), groups(static_cast<uint32_t>(area.height)));
   }
   return device_->submit(std::move(list));
 }
@@ -373,7 +473,7 @@ uint64_t Renderer::render_occlusion(uint32_t first_sample, uint32_t samples) {
     list.bind(kernels_.get(Pass::occlusion, key), set_);
     for (const Region& area : tiles_) {
       list.push(push_of(area, done));
-      list.dispatch(groups(area.width), groups(area.height));
+      list.dispatch(groups(static_cast<uint32_t>(area.width)), groups(static_cast<uint32_t>(area.height)));
     }
     done += key.samples;
     value = device_->submit(std::move(list));
@@ -394,23 +494,17 @@ std::vector<float> Renderer::linear_picture(uint64_t after) {
   const size_t pixels = static_cast<size_t>(region_.width) * static_cast<size_t>(region_.height);
   const std::vector<float> sums = accumulators(after);
   std::vector<float> picture(pixels * 4);
+  const std::vector<uint32_t> counts = device_->readback_rows<uint32_t>(seen_, pixels, pixels, after);
   for (size_t t = 0; t < tiles_.size(); ++t) {
     if (samples_[t] == 0) continue;
-    const float mean = 1.0f / static_cast<float>(samples_[t]);
     for (int y = tiles_[t].y; y < tiles_[t].y + tiles_[t].height; ++y)
       for (int x = tiles_[t].x; x < tiles_[t].x + tiles_[t].width; ++x) {
         const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(region_.width) + static_cast<size_t>(x);
+        const float mean = 1.0f / static_cast<float>(counts[pixel]);
         vec3 radiance(0);
         for (uint32_t plane = 0; plane < key_.planes(); ++plane) {
           const float* sum = &sums[(plane * pixels + pixel) * 4];
-          vec3 emission(1);
-          if (plane > 0 && plane <= key_.light_count)
-            emission = params_.emission[plane - 1];
-          else if (plane > 0 && key_.ambient && plane == key_.light_count + 1)
-            emission = params_.ambient;
-          else if (plane > 0)
-            emission = vec3(params_.environment_intensity);
-          radiance += emission * vec3(sum[0], sum[1], sum[2]) * mean;
+          radiance += plane_emission(plane) * vec3(sum[0], sum[1], sum[2]) * mean;
         }
         const float coverage = sums[pixel * 4 + 3] * mean;
         if (params_.background_is_environment == 0) radiance += params_.background * (1.0f - coverage);
@@ -422,6 +516,14 @@ std::vector<float> Renderer::linear_picture(uint64_t after) {
       }
   }
   return picture;
+}
+
+// As shaders/lib/composite.glsl.
+vec3 Renderer::plane_emission(uint32_t plane) const {
+  if (plane == PLANE_DIRECT) return vec3(1);
+  if (plane <= key_.light_count) return params_.emission[plane - PLANE_LIGHTS];
+  if (key_.ambient && plane == key_.light_count + 1) return params_.ambient;
+  return vec3(params_.environment_intensity);
 }
 
 std::vector<uint32_t> Renderer::display_picture(uint64_t after) {

@@ -1,6 +1,7 @@
 #pragma once
 // The renderer without a thread or a window: takes a project, finds what changed, and refines one tile at a time. The
 // interactive session and the command line both stand on it, so that they give the same bytes.
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 #include "engine/render/gpu_scene.h"
 #include "engine/render/kernels.h"
 #include "engine/render/material_tables.h"
+#include "engine/render/replay.h"
 #include "engine/render/scene_tables.h"
 
 namespace vamp {
@@ -23,6 +25,7 @@ struct Region {
 // What taking over a project came to.
 struct Change {
   bool restarted = false;   // the accumulators start again
+  uint64_t reshaded = 0;    // else so many pixels are shaded again from what was traced; see replay()
   bool recomposed = false;  // only what is linear in them, or the display, changed
   std::string what;         // "camera", "light moved", "material edited": the first reason
   uint64_t bytes = 0;       // sent to the device
@@ -31,6 +34,11 @@ struct Change {
 class Renderer {
  public:
   explicit Renderer(gpu::Device& device);
+
+  // Memory for hits and visibility by which samples can be shaded again, in bytes. A pixel's four samples take 8 of
+  // them, 16 with mirrors, half as much again with more than 8 shadow rays. Samples that do not fit are traced again.
+  // Before set_region(); 0 at first: a still picture is not edited.
+  void set_history(uint64_t bytes) { history_bytes_ = bytes; }
 
   // Size of the whole picture and the part of it that is rendered. Restarts.
   void set_region(int picture_width, int picture_height, const Region& region);
@@ -55,6 +63,15 @@ class Renderer {
 
   // The whole region in one submit, for work that nobody watches; all tiles must stand at the same number of samples.
   uint64_t refine_all(uint32_t limit);
+
+  // After an edit that moved no ray: the pixels that saw it get their samples anew, from stored hits and visibility,
+  // before anything else is refined. Submits the next batch of at most `most` of them; returns the timeline value.
+  bool replaying() const { return replay_.active(); }
+  uint64_t replay(uint32_t most);
+  // Samples that all pixels have at least, also while some are shaded again.
+  uint32_t replayed_samples() const { return replaying() ? std::min(replay_.done(), samples()) : samples(); }
+  // Whether replay() is between two batches: every pixel of the list has the same number of samples.
+  bool replay_pass_complete() const { return replay_at_ == 0; }
 
   // Shows all tiles again from their accumulators.
   uint64_t recompose();
@@ -85,7 +102,10 @@ class Renderer {
 
  private:
   Result<Change> take_project(std::shared_ptr<const Project> next);
-  uint64_t submit_batch(const Region& area, uint32_t done, uint32_t batch);
+  uint64_t submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch);
+  void begin_replay(uint32_t touched, Change& change);
+  bool batches_fit() const;
+  vec3 plane_emission(uint32_t plane) const;
   void make_picture();
   void make_descriptor_set();
   uint64_t send_frame();
@@ -108,9 +128,13 @@ class Renderer {
   Region region_;
   std::vector<Region> tiles_;
   std::vector<uint32_t> samples_;
-  gpu::TypedBuffer<uint32_t> hits_, visibility_, display_;
+  uint64_t history_bytes_ = 0;
+  uint32_t history_ = 1;  // hits stored for each pixel
+  Replay replay_;
+  uint32_t replay_at_ = 0;  // pixels of the list that have this step's batch
+  gpu::TypedBuffer<uint32_t> hits_, visibility_, display_, seen_, list_;
   gpu::TypedBuffer<vec4> accumulators_, aov_;
-  gpu::TexelView hits_view_, visibility_view_, accumulators_view_, aov_view_;
+  gpu::TexelView hits_view_, visibility_view_, seen_view_, accumulators_view_, aov_view_;
   gpu::DescriptorSet set_;
 };
 

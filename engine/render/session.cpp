@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
@@ -10,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/core/clock.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
 #include "engine/render/noise.h"
@@ -18,9 +18,11 @@
 namespace vamp {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+// What edits may be answered from; at 640 x 480 about 250 samples (see Renderer::set_history).
+constexpr uint64_t kHistoryBytes = 160u << 20;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+// So many pixels are shaded again before a newer edit is looked for: some 10 ms on two cores of lavapipe.
+constexpr uint32_t kReplayPixels = 1u << 16;
 
 }  // namespace
 
@@ -29,6 +31,7 @@ class RenderSession::Impl {
   Impl(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height)
       : device_(device), renderer_(device), next_project_(std::move(project)), next_size_(ivec2(width, height)) {
     status_.device = device.info().name;
+    renderer_.set_history(kHistoryBytes);
     thread_ = std::thread([this] { run(); });
   }
 
@@ -63,6 +66,14 @@ class RenderSession::Impl {
     {
       const std::lock_guard lock(mutex_);
       paused_ = paused;
+    }
+    wake_.notify_all();
+  }
+
+  void lose_device() {
+    {
+      const std::lock_guard lock(mutex_);
+      lose_device_ = true;
     }
     wake_.notify_all();
   }
@@ -154,11 +165,13 @@ class RenderSession::Impl {
       spdlog::error("{}", error.what());
       const std::lock_guard lock(mutex_);
       status_.error = error.what();
+      status_.lost = true;
     } catch (const std::exception& error) {
       // Above all the computer's memory: the picture stops, the document stays.
       spdlog::error("the renderer stopped: {}", error.what());
       const std::lock_guard lock(mutex_);
       status_.error = std::string("the renderer stopped: ") + error.what();
+      status_.lost = true;
     }
   }
 
@@ -169,8 +182,11 @@ class RenderSession::Impl {
     std::string reason;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return stop_ || next_project_ || next_size_ || (!paused_ && !finished_ && !refused_); });
+      wake_.wait(lock, [&] {
+        return stop_ || lose_device_ || next_project_ || next_size_ || (!paused_ && !finished_ && !refused_);
+      });
       if (stop_) return false;
+      if (lose_device_) throw MachineError(ErrorKind::device_lost, "the device was lost on request");
       project = std::exchange(next_project_, nullptr);
       size = std::exchange(next_size_, std::nullopt);
       reason = std::exchange(next_reason_, "");
@@ -184,7 +200,10 @@ class RenderSession::Impl {
       const std::lock_guard state(mutex_);
       if (paused_) return true;
     }
-    refine_tile();
+    if (renderer_.replaying())
+      shade_again();
+    else
+      refine_tile();
     return true;
   }
 
@@ -203,11 +222,12 @@ class RenderSession::Impl {
       drawn_ = {project, renderer_.scene_tables(), renderer_.part_rows()};
     }
     if (change->restarted) restart(reason.empty() ? change->what : reason, change->what != "material edited");
+    if (change->reshaded > 0) begin_shading_again(reason.empty() ? change->what : reason, *change);
     if (change->recomposed && renderer_.region().width > 0 && renderer_.samples() > 0) {
       noise_.restart();
       show_all(renderer_.recompose());
     }
-    finished_ = renderer_.region().width > 0 && renderer_.samples() >= project->settings.max_samples;
+    finished_ = renderer_.region().width > 0 && renderer_.replayed_samples() >= project->settings.max_samples;
     const std::lock_guard lock(mutex_);
     status_.project = std::move(project);
     status_.error.clear();
@@ -240,6 +260,35 @@ class RenderSession::Impl {
     status_.finished = false;
     status_.restarted_pixels =
         static_cast<uint64_t>(renderer_.region().width) * static_cast<uint64_t>(renderer_.region().height);
+  }
+
+  void begin_shading_again(const std::string& reason, const Change& change) {
+    start_ = Clock::now();
+    noise_.restart();
+    ids_stale_ = ids_stale_ || change.what != "material edited";
+    const std::lock_guard lock(mutex_);
+    status_.restart_reason = reason;
+    status_.restarted_pixels = change.reshaded;
+    status_.samples = 0;
+    status_.finished = false;
+  }
+
+  void shade_again() {
+    const uint64_t value = renderer_.replay(kReplayPixels);
+    device_.wait(value);
+    if (!renderer_.replay_pass_complete()) return;
+    show_all(value);
+    const uint32_t samples = renderer_.replayed_samples();
+    const bool over = !renderer_.replaying();
+    if (over && ids_stale_) update_ids();
+    finished_ = over && samples >= renderer_.project().settings.max_samples;
+    pass_start_ = Clock::now();
+    pass_ms_.clear();
+    const std::lock_guard lock(mutex_);
+    status_.samples = samples;
+    status_.seconds = seconds_since(start_);
+    status_.noise = -1;
+    status_.finished = finished_;
   }
 
   void refine_tile() {
@@ -344,7 +393,7 @@ class RenderSession::Impl {
   std::shared_ptr<const Project> next_project_;
   std::optional<ivec2> next_size_;
   std::string next_reason_;
-  bool paused_ = false, stop_ = false;
+  bool paused_ = false, stop_ = false, lose_device_ = false;
   std::atomic<bool> finished_{false}, refused_{false};
   RenderStatus status_;
 
@@ -368,6 +417,7 @@ void RenderSession::set_project(std::shared_ptr<const Project> project, std::str
 }
 void RenderSession::resize(int width, int height) { impl_->resize(width, height); }
 void RenderSession::pause(bool paused) { impl_->pause(paused); }
+void RenderSession::lose_device() { impl_->lose_device(); }
 RenderStatus RenderSession::status() const { return impl_->status(); }
 uint64_t RenderSession::picture_version() const { return impl_->picture_version(); }
 bool RenderSession::copy_picture(std::vector<uint32_t>& rgba, int& width, int& height, uint64_t& version) const {

@@ -29,7 +29,8 @@ struct RenderStatus {
   bool finished = false;                   // max_samples reached
   std::shared_ptr<const Project> project;  // that the picture is of: the last one that was taken over
   std::string device;
-  std::string error;  // a lost device: the session has stopped, the document is safe
+  std::string error;  // why there is no picture of the project
+  bool lost = false;  // the device is gone: the session has stopped for good, the document is safe
 };
 
 struct Pick {
@@ -52,6 +53,9 @@ class RenderSession {
   void set_project(std::shared_ptr<const Project> project, std::string reason);
   void resize(int width, int height);
   void pause(bool paused);
+
+  // As if the device were lost at the next tile, for tests.
+  void lose_device();
 
   RenderStatus status() const;
 

@@ -20,6 +20,7 @@ layout(constant_id = SPEC_FOUR_TAPS) const bool FOUR_TAPS = false;
 layout(constant_id = SPEC_STORAGE_FETCH) const bool STORAGE_FETCH = false;
 layout(constant_id = SPEC_PIXEL_CENTRES) const bool PIXEL_CENTRES = false;
 layout(constant_id = SPEC_NEW_HIT) const bool NEW_HIT = true;
+layout(constant_id = SPEC_LIST) const bool LIST = false;
 
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -43,11 +44,14 @@ layout(binding = BINDING_DIRECTION_MAP) uniform usamplerBuffer direction_map_tex
 layout(binding = BINDING_ENVIRONMENT) uniform samplerBuffer environment_texels;
 layout(binding = BINDING_ENVIRONMENT_CELLS) uniform usamplerBuffer environment_cell_texels;
 layout(binding = BINDING_ALPHA) uniform usamplerBuffer alpha_texels;
-layout(binding = BINDING_HITS, r32ui) uniform uimageBuffer hits;            // [mirror][pixel]: triangle + 1
-layout(binding = BINDING_VISIBILITY, r32ui) uniform uimageBuffer visibility;  // [sample][pixel]: a bit per shadow ray
+layout(binding = BINDING_HITS, r32ui) uniform uimageBuffer hits;              // [slot][vertex][pixel]: triangle + 1
+layout(binding = BINDING_VISIBILITY, r32ui) uniform uimageBuffer visibility;  // [slot][vertex][word][pixel]: a bit per shadow ray
 layout(binding = BINDING_ACCUMULATORS, rgba32f) uniform imageBuffer accumulators;  // [plane][2][pixel]
 layout(scalar, binding = BINDING_DISPLAY) buffer DisplayBlock { uint display[]; };  // RGBA8, sRGB
 layout(binding = BINDING_AOV, rgba32f) uniform imageBuffer aov;               // [layer][pixel]
+
+layout(scalar, binding = BINDING_LIST) readonly buffer ListBlock { uint list[]; };  // pixels of the region
+layout(binding = BINDING_SEEN, r32ui) uniform uimageBuffer seen;              // [2][pixel]: clusters as bits; samples
 
 layout(push_constant, scalar) uniform PushBlock { TilePush tile; };
 
@@ -59,9 +63,18 @@ const float HUGE = 3.0e38;
 const uint RAY_COUNT = LIGHT_COUNT + (AMBIENT ? 1u : 0u) + (ENVIRONMENT ? 1u : 0u);
 const uint VERTEX_COUNT = MIRROR ? 2u : 1u;
 
+// A stored hit's four samples have a bit for each shadow ray: sample * RAY_COUNT + ray, in so many words a vertex.
+const uint VISIBILITY_WORDS = (SAMPLES_PER_HIT * RAY_COUNT + 31u) / 32u;
+
 // Invocation -> pixel of the region: 4 x 2 pixels a subgroup of 8, Morton order within 8 x 8 pixels a workgroup.
 // Returns false outside the tile.
 bool pixel_of_invocation(out uvec2 pixel, out uint index) {
+  if (LIST) {
+    uint entry = gl_GlobalInvocationID.x;
+    index = list[tile.x + min(entry, tile.width - 1u)];
+    pixel = uvec2(index % params.region_width, index / params.region_width);
+    return entry < tile.width;
+  }
   uint i = gl_LocalInvocationID.x;
   uvec2 inside = uvec2((i & 1u) | ((i >> 1) & 2u) | ((i >> 2) & 4u), ((i >> 1) & 1u) | ((i >> 2) & 2u) | ((i >> 3) & 4u));
   uvec2 p = gl_WorkGroupID.xy * 8u + inside;
@@ -71,3 +84,16 @@ bool pixel_of_invocation(out uvec2 pixel, out uint index) {
 }
 
 uint region_pixels() { return params.region_width * params.region_height; }
+
+// Where this dispatch's hit and its bits are stored. What no longer fits takes the last place, where it cannot be replayed.
+int hit_place(uint vertex, uint index) {
+  uint slot = min(tile.sample_base / SAMPLES_PER_HIT, params.history - 1u);
+  return int((slot * VERTEX_COUNT + vertex) * region_pixels() + index);
+}
+int visibility_place(uint vertex, uint word, uint index) {
+  uint slot = min(tile.sample_base / SAMPLES_PER_HIT, params.history - 1u);
+  return int(((slot * VERTEX_COUNT + vertex) * VISIBILITY_WORDS + word) * region_pixels() + index);
+}
+
+// Bit of shadow ray `kind` of this dispatch's sample k among those of its hit.
+uint visibility_bit(uint k, uint kind) { return (tile.sample_base % SAMPLES_PER_HIT + k) * RAY_COUNT + kind; }

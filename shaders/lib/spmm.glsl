@@ -57,7 +57,9 @@ vec3 residual_value(Part part, uint cluster, vec4 coefficients, DirectionWeights
 }
 
 // Adds ReflectedCos of every direction to `result`. `wo` and `wi` in the texel's frame, z the normal, above the horizon.
-void spmm_eval(Part part, vec2 uv, vec2 tap, vec3 wo, vec3 wi[DIRECTION_COUNT], inout vec3 result[DIRECTION_COUNT]) {
+// `met`: the clusters read, as bits (PART_SEEN_SHIFT).
+void spmm_eval(Part part, vec2 uv, vec2 tap, vec3 wo, vec3 wi[DIRECTION_COUNT], inout vec3 result[DIRECTION_COUNT],
+               inout uint met) {
   for (uint corner = 0u; corner < (FOUR_TAPS ? 4u : 1u); ++corner) {
     float tap_weight;
     uvec4 texel = texelFetch(texel_texels, tap_texel(part, uv, tap, corner, tap_weight));
@@ -65,6 +67,7 @@ void spmm_eval(Part part, vec2 uv, vec2 tap, vec3 wo, vec3 wi[DIRECTION_COUNT], 
     uint count = (texel.y >> 8) & 255u;
     uint first_entry = part.base.y + texel.x;
     uint first_row = part.base.z + cluster * part.shape.z;
+    met |= 1u << (((part.shape.w >> PART_SEEN_SHIFT) + cluster) & 31u);
 
     for (uint e = 0u; e < count; ++e) {
       uvec2 entry = texelFetch(entry_texels, int(first_entry + e)).xy;

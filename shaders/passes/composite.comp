@@ -1,6 +1,5 @@
 #version 460
 // Accumulators to the displayed picture, when only what is linear in them changed: emission, exposure, tone curve.
-// tile.sample_base holds the number of samples of the tile's pixels.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"
 #include "shaders/lib/composite.glsl"
@@ -10,7 +9,7 @@ void main() {
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
   uint pixels = region_pixels();
-  float mean = 1.0 / float(max(tile.sample_base, 1u));
+  float mean = 1.0 / float(max(imageLoad(seen, int(pixels + index)).x, 1u));
   vec3 radiance = vec3(0.0);
   for (uint plane = 0u; plane < params.planes; ++plane) {
     vec4 sum = imageLoad(accumulators, int(2u * plane * pixels + index));

@@ -13,8 +13,8 @@
 const uint PLANE_COUNT = PLANE_LIGHTS + RAY_COUNT;
 
 // Light that one vertex of the path sends towards the viewer: a value for each sample and shadow ray.
-void shade_vertex(Ray ray, int triangle, uint seed, uint vertex, uint word[SAMPLES], float throughput,
-                  inout vec3 light[DIRECTION_COUNT], out SurfacePoint point) {
+void shade_vertex(Ray ray, int triangle, uint seed, uint index, uint vertex, float throughput,
+                  inout vec3 light[DIRECTION_COUNT], inout uint clusters, out SurfacePoint point) {
   bool hit = triangle >= 0;
   point = surface_point(ray, max(triangle, 0));
   SurfaceFrame frame = surface_frame(point, max(triangle, 0));
@@ -24,6 +24,9 @@ void shade_vertex(Ray ray, int triangle, uint seed, uint vertex, uint word[SAMPL
   vec3 y = part.uv_offset.z * frame.bitangent - part.uv_offset.w * frame.tangent;
   vec3 z = point.normal;
   vec3 wo = -vec3(dot(x, ray.direction), dot(y, ray.direction), dot(z, ray.direction));
+
+  uint words[VISIBILITY_WORDS];
+  for (uint w = 0u; w < VISIBILITY_WORDS; ++w) words[w] = imageLoad(visibility, visibility_place(vertex, w, index)).x;
 
   vec3 wi[DIRECTION_COUNT];
   vec3 factor[DIRECTION_COUNT];
@@ -35,7 +38,8 @@ void shade_vertex(Ray ray, int triangle, uint seed, uint vertex, uint word[SAMPL
     for (uint kind = 0u; kind < RAY_COUNT; ++kind) {
       LightSample s = drawn[kind];
       uint d = k * RAY_COUNT + kind;
-      bool arrives = hit && (word[k] & (1u << (kind + vertex * 16u))) != 0u;
+      uint bit = visibility_bit(k, kind);
+      bool arrives = hit && (words[VISIBILITY_WORDS == 1u ? 0u : bit >> 5] >> (bit & 31u) & 1u) != 0u;
       vec3 radiance = ENVIRONMENT && kind == RAY_COUNT - 1u ? environment : vec3(1.0);
       factor[d] = arrives ? radiance * (s.factor * throughput) : vec3(0.0);
       wi[d] = vec3(dot(x, s.direction), dot(y, s.direction), max(dot(z, s.direction), 0.0));
@@ -43,7 +47,9 @@ void shade_vertex(Ray ray, int triangle, uint seed, uint vertex, uint word[SAMPL
     }
   }
   vec2 tap = random_pair(seed, tile.sample_base / SAMPLES_PER_HIT, vertex * PAIR_MIRROR + PAIR_TEXEL);
-  spmm_eval(part, frame.uv, tap, wo, wi, value);
+  uint met = 0u;
+  spmm_eval(part, frame.uv, tap, wo, wi, value, met);
+  clusters |= hit ? met : 0u;
   for (uint d = 0u; d < DIRECTION_COUNT; ++d) light[d] += value[d] * factor[d];
 }
 
@@ -54,11 +60,7 @@ void main() {
   uvec2 global = pixel + uvec2(params.region_x, params.region_y);
   uint seed = random_pixel(global.x, global.y, params.seed);
   Ray ray = primary_ray(global, seed, tile.sample_base / SAMPLES_PER_HIT);
-  int triangle = int(imageLoad(hits, int(index)).x) - 1;
-
-  uint word[SAMPLES];
-  for (uint k = 0u; k < SAMPLES; ++k)
-    word[k] = imageLoad(visibility, int(((tile.sample_base + k) % SAMPLES_PER_HIT) * region_pixels() + index)).x;
+  int triangle = int(imageLoad(hits, hit_place(0u, index)).x) - 1;
 
   // What is seen directly is the same for all samples of a hit.
   vec3 light[DIRECTION_COUNT];
@@ -76,20 +78,24 @@ void main() {
     fresnel = hit && f0 > 0.0 ? mirror_fresnel(f0, -dot(point.normal, ray.direction)) : 0.0;
   }
   SurfacePoint point;
-  shade_vertex(ray, triangle, seed, 0u, word, 1.0 - fresnel, light, point);
+  uint clusters = tile.sample_base > 0u ? imageLoad(seen, int(index)).x : 0u;
+  shade_vertex(ray, triangle, seed, index, 0u, 1.0 - fresnel, light, clusters, point);
   if (MIRROR) {
     Ray mirrored = mirror_ray(ray, point);
-    int next = int(imageLoad(hits, int(region_pixels() + index)).x) - 1;
-    SurfacePoint seen;
-    shade_vertex(mirrored, fresnel > 0.0 ? next : -1, seed, 1u, word, fresnel, light, seen);
-    reflected_light = light_hit(mirrored.origin, mirrored.direction, next >= 0 ? seen.t : HUGE);
+    int next = int(imageLoad(hits, hit_place(1u, index)).x) - 1;
+    SurfacePoint reflected;
+    shade_vertex(mirrored, fresnel > 0.0 ? next : -1, seed, index, 1u, fresnel, light, clusters, reflected);
+    reflected_light = light_hit(mirrored.origin, mirrored.direction, next >= 0 ? reflected.t : HUGE);
     if (fresnel > 0.0 && next < 0 && reflected_light < 0)
       direct.rgb += fresnel * (ENVIRONMENT || sees_environment ? environment_radiance(mirrored.direction) : params.background);
   }
 
-  // Compensated sums, a sample at a time, so that any batching gives the same bits.
   uint pixels = region_pixels();
   uint count = tile.sample_base + SAMPLES;
+  imageStore(seen, int(index), uvec4(clusters));
+  imageStore(seen, int(pixels + index), uvec4(count));
+
+  // Compensated sums, a sample at a time, so that any batching gives the same bits.
   float mean = 1.0 / float(count);
   vec3 radiance = vec3(0.0);
   for (uint plane = 0u; plane < PLANE_COUNT; ++plane) {

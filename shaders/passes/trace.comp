@@ -10,15 +10,6 @@
 
 const uint RAYS = SAMPLES * RAY_COUNT;
 
-// Rays of a kind stand together: two of them end their walk sooner than two of different kinds.
-// Sets the bit of ray r in the word of its sample.
-void add_bit(inout uint word[SAMPLES], uint r, uint vertex, bool arrives) {
-  uint kind = r / SAMPLES;
-  uint sample_of_ray = r - kind * SAMPLES;
-  uint bit = arrives ? 1u << (kind + vertex * 16u) : 0u;
-  for (uint k = 0u; k < SAMPLES; ++k) word[k] |= k == sample_of_ray ? bit : 0u;
-}
-
 void main() {
   uvec2 pixel;
   uint index;
@@ -30,19 +21,18 @@ void main() {
   int triangle;
   if (NEW_HIT) {
     triangle = nearest_hit(ray.origin, ray.direction, 0.0, HUGE).triangle;
-    imageStore(hits, int(index), uvec4(uint(triangle + 1)));
+    imageStore(hits, hit_place(0u, index), uvec4(uint(triangle + 1)));
   } else {
-    triangle = int(imageLoad(hits, int(index)).x) - 1;
+    triangle = int(imageLoad(hits, hit_place(0u, index)).x) - 1;
   }
-
-  uint word[SAMPLES];
-  for (uint k = 0u; k < SAMPLES; ++k) word[k] = 0u;
 
   for (uint vertex = 0u; vertex < VERTEX_COUNT; ++vertex) {
     bool hit = triangle >= 0;
     SurfacePoint point = surface_point(ray, max(triangle, 0));
     vec3 origin = leave_surface(point);
-    vec4 rays[RAYS + 1u];  // direction, distance (<= 0: carries nothing); one more, for pairs
+    // Direction, distance (<= 0: carries nothing); one more, for pairs. Rays of a kind stand together: two of them end
+    // their walk sooner than two of different kinds.
+    vec4 rays[RAYS + 1u];
     rays[RAYS] = vec4(0.0, 0.0, 1.0, -1.0);
     for (uint k = 0u; k < SAMPLES; ++k) {
       LightSample drawn[RAY_COUNT];
@@ -54,21 +44,29 @@ void main() {
         rays[kind * SAMPLES + k] = vec4(s.direction, hit && s.factor > 0.0 ? s.distance * 0.9999 : -1.0);
       }
     }
+    // A hit's samples may come one by one: what the others left stays.
+    uint words[VISIBILITY_WORDS];
+    for (uint w = 0u; w < VISIBILITY_WORDS; ++w)
+      words[w] = NEW_HIT ? 0u : imageLoad(visibility, visibility_place(vertex, w, index)).x;
     for (uint r = 0u; r < RAYS; r += 2u) {
       vec4 x = rays[r];
       vec4 y = rays[r + 1u];
       bvec2 free = unoccluded(origin, x.xyz, x.w, y.xyz, y.w);
-      add_bit(word, r, vertex, free.x && x.w > 0.0);
-      add_bit(word, r + 1u, vertex, free.y && y.w > 0.0);
+      uint bit_x = visibility_bit(r % SAMPLES, r / SAMPLES);
+      uint bit_y = visibility_bit((r + 1u) % SAMPLES, (r + 1u) / SAMPLES);
+      for (uint w = 0u; w < VISIBILITY_WORDS; ++w) {
+        words[w] |= free.x && x.w > 0.0 && bit_x >> 5 == w ? 1u << (bit_x & 31u) : 0u;
+        words[w] |= free.y && y.w > 0.0 && bit_y >> 5 == w ? 1u << (bit_y & 31u) : 0u;
+      }
     }
+    for (uint w = 0u; w < VISIBILITY_WORDS; ++w)
+      imageStore(visibility, visibility_place(vertex, w, index), uvec4(words[w]));
     if (MIRROR && vertex == 0u) {
       ray = mirror_ray(ray, point);
       bool mirrors = hit && mirror_f0(point.part) > 0.0;
       int next = nearest_hit(ray.origin, ray.direction, 0.0, mirrors ? HUGE : -1.0).triangle;
-      imageStore(hits, int(region_pixels() + index), uvec4(uint(next + 1)));
+      imageStore(hits, hit_place(1u, index), uvec4(uint(next + 1)));
       triangle = next;
     }
   }
-  for (uint k = 0u; k < SAMPLES; ++k)
-    imageStore(visibility, int(((tile.sample_base + k) % SAMPLES_PER_HIT) * region_pixels() + index), uvec4(word[k]));
 }

@@ -31,6 +31,8 @@ using uint = std::uint32_t;
 #define BINDING_AOV 22
 #define BINDING_BOXES 23
 #define BINDING_BOXES_STORAGE 24
+#define BINDING_LIST 25
+#define BINDING_SEEN 26
 
 // What a kernel is specialised for (constant_id): the scene pays only for what it uses.
 #define SPEC_SAMPLES 0             // samples in one dispatch: 1 or 4
@@ -46,6 +48,7 @@ using uint = std::uint32_t;
 #define SPEC_STORAGE_FETCH 10      // bool: nodes and triangles through storage buffers instead of texel buffers
 #define SPEC_PIXEL_CENTRES 11      // bool: no jitter
 #define SPEC_NEW_HIT 12            // bool: trace the primary ray, else take the stored hit
+#define SPEC_LIST 13               // bool: pixels from a list instead of a tile
 
 #define MAX_LIGHTS 14              // with ambient and environment 16 shadow rays: half a word of visibility bits a vertex
 #define TILE_SIDE 64
@@ -88,6 +91,7 @@ struct PartRow {
 };
 #define PART_ROW_TEXELS 6
 #define PART_TERMS_SHIFT 8         // flags, bits 8..10: PCA terms of the residual in use
+#define PART_SEEN_SHIFT 16         // flags, bits 16..20: cluster 0 sets this bit of what a pixel has seen, the next one the next
 
 // One picture's camera, grid and display.
 struct FrameParams {
@@ -115,25 +119,26 @@ struct FrameParams {
   uint light_count;
   uint planes;       // accumulator planes
   uint list_end;     // of the tree's boxes (shaders/shared/intersect.h)
+  uint history;      // hits stored for each pixel, at least 1; later ones take the place of the last
   vec3 emission[MAX_LIGHTS];  // radiance of area lights, intensity of the others
 };
 
 // What a dispatch is about.
 struct TilePush {
-  uint x, y;                // of the tile in the region, pixels
-  uint width, height;       // of the tile
+  uint x, y;                // of the tile in the region, pixels; with SPEC_LIST: first entry of the list, 0
+  uint width, height;       // of the tile; with SPEC_LIST: number of entries, 1
   uint sample_base;         // first sample of this dispatch
   uint unused;
 };
 
 // Accumulator planes of a pixel, each two texels RGBA32F: the compensated sum and its compensation (Kahan 1965).
-//   0: seen directly (environment behind the model and in mirrors; w: coverage). Its second texel's w counts samples (bits).
+//   0: seen directly (environment behind the model and in mirrors; w: coverage).
 //   1 ..: one for each light at unit emission, then ambient at unit radiance, then the environment at intensity 1.
 #define PLANE_DIRECT 0
 #define PLANE_LIGHTS 1
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRow) == 80 && sizeof(PartRow) == 96 && sizeof(TilePush) == 24);
-static_assert(sizeof(FrameParams) == 180 + 12 * MAX_LIGHTS);
+static_assert(sizeof(FrameParams) == 184 + 12 * MAX_LIGHTS);
 }  // namespace vamp::frame
 #endif

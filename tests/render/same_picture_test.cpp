@@ -93,6 +93,7 @@ TEST_F(RenderTest, EditsOnTheWayLeaveNoTrace) {
   show();
   const auto refine = [&](uint32_t samples) {
     uint64_t value = 0;
+    while (renderer.replaying()) value = renderer.replay(1000);
     while (renderer.samples() < samples) value = renderer.refine_all(samples);
     return renderer.linear_picture(value);
   };
@@ -162,7 +163,7 @@ TEST_F(RenderTest, AnEditSendsOnlyTheRowsThatChanged) {
   project.materials.back().edits.set({0, 2}, edit);
   const auto change = renderer.set_project(std::make_shared<const Project>(project));
   ASSERT_TRUE(change);
-  EXPECT_TRUE(change->restarted);
+  EXPECT_FALSE(change->restarted);
   // One row of the function and the cluster's residual scale.
   EXPECT_LE(change->bytes, sizeof(tables::BasisRow) + sizeof(tables::ClusterRow));
   EXPECT_GE(change->bytes, sizeof(tables::BasisRow));
@@ -186,7 +187,9 @@ TEST_F(RenderTest, TheSessionsPictureIsTheCommandLines) {
   ASSERT_EQ(samples, 12u);
   const Still still = render(project, 80, 60, 12);
   EXPECT_TRUE(same_bytes(live, still.image.pixels));
-  EXPECT_EQ(session.status().restarted_pixels, 4800u);
+  // Those that saw the edited cluster.
+  EXPECT_GT(session.status().restarted_pixels, 0u);
+  EXPECT_LT(session.status().restarted_pixels, 4800u);
 }
 
 }  // namespace
