@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <mutex>
 #include <numeric>
 
@@ -65,16 +64,17 @@ struct State {
   std::vector<float> errors;  // of each texel
 
   Status save() const {
-    Json json;
-    json["job"] = job;
-    Json& done = json["rows"] = Json::array();
-    Json& values = json["errors"] = Json::array();
+    Json done = Json::array(), values = Json::array();
     const size_t width = errors.size() / rows.size();
     for (size_t y = 0; y < rows.size(); ++y) {
       if (rows[y] == 0) continue;
       done.push_back(y);
       for (size_t x = 0; x < width; ++x) values.push_back(json_number(errors[y * width + x]));
     }
+    Json json;
+    json["job"] = job;
+    json["rows"] = std::move(done);
+    json["errors"] = std::move(values);
     return write_text_atomically(path, print_json(json));
   }
 
@@ -101,21 +101,12 @@ struct State {
   }
 };
 
-// The file tells the errors that were not known when it was begun.
-Status write_errors(const fs::path& path, const Report& report) {
-  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  std::string start(1 << 16, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  file.clear();
-  const size_t at = start.find(kUnknown);
-  // A job that had been finished but for its name has them already.
-  if (at == std::string::npos) return {};
-  const std::string text = known(report);
-  file.seekp(static_cast<std::streamoff>(at));
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.flush();
-  if (!file) return fail(ErrorKind::io, path.string(), "", "room to write to");
-  return {};
+void tell_errors(Btf& btf, const Report& report) {
+  std::string provenance = btf.info().provenance;
+  const size_t at = provenance.find(kUnknown);
+  // Work that was stopped just before it got its name knows them already.
+  if (at == std::string::npos) return;
+  btf.set_provenance(provenance.replace(at, kUnknown.size(), known(report)));
 }
 
 }  // namespace
@@ -186,11 +177,11 @@ Result<Report> measure(Mesostructure structure, const Options& options, const fs
                 fmt::format("stopped after {} of {} rows; the same command goes on from there", done, info.height));
 
   const Report errors = summary(state.errors);
-  report.median_error = errors.median_error, report.mean_error = errors.mean_error,
+  report.median_error = errors.median_error;
+  report.mean_error = errors.mean_error;
   report.worst_error = errors.worst_error;
-  // The map must be gone before the header is written behind its back.
-  btf = fail(ErrorKind::failed, "", "", "");
-  VAMP_CHECK_STATUS(write_errors(part, report));
+  tell_errors(*btf, report);
+  VAMP_CHECK_STATUS(btf->flush());
   std::error_code code;
   fs::rename(part, path, code);
   if (code) return fail(ErrorKind::io, path.string(), "", "a place for the finished file", code.message());
@@ -213,6 +204,7 @@ Result<Btf> measure_in_memory(Mesostructure structure, const Options& options, s
     }
     return true;
   });
+  tell_errors(btf, summary(errors));
   return btf;
 }
 

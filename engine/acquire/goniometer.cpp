@@ -14,8 +14,9 @@ namespace {
 
 // Rays leave a facet from this far above it, in periods: some roundings, less than a hundredth of a facet.
 constexpr float kLift = 5e-6f;
-// A path this long is one of a million in a white furnace; ending it keeps a hostile structure from running for ever.
-constexpr int kMostVertices = 1000;
+// Between yarns that nearly touch, a path of a white furnace may take some thousand steps to find its way out. In a
+// closed hollow it never would.
+constexpr int kMostVertices = 1000000;
 
 float mean(vec3 c) { return (c.x + c.y + c.z) * (1.0f / 3); }
 
@@ -68,17 +69,30 @@ void Goniometer::tabulate_shadows(int threads) {
   const auto blocks = static_cast<int>((facets.size() + kBlock - 1) / kBlock);
   parallel(threads, blocks, [&](int block) {
     const size_t first = static_cast<size_t>(block) * kBlock;
-    for (size_t i = first; i < std::min(first + kBlock, facets.size()); ++i) {
-      const auto index = static_cast<uint32_t>(i);
-      const auto& c = facets[i].corner;
-      const vec3 normal = grid_.normal(index);
-      const vec3 point = (c[0] + c[1] + c[2]) * (1.0f / 3) + normal * kLift;
-      for (size_t l = 0; l < lights_.size(); ++l)
-        if (glm::dot(normal, lights_[l]) > 0 && !grid_.is_blocked(point, lights_[l], index))
-          lit_[i][l / 64] |= uint64_t{1} << (l % 64);
-    }
+    for (size_t i = first; i < std::min(first + kBlock, facets.size()); ++i) tabulate_facet(static_cast<uint32_t>(i));
     return true;
   });
+}
+
+void Goniometer::tabulate_facet(uint32_t index) {
+  // Any points of the facet, not its middle alone: that would miss shadows that cover less than half of it and so
+  // brighten creases. Those inside another yarn are never seen.
+  constexpr size_t kPoints = 8;
+  const auto& c = grid_.facets()[index].corner;
+  const vec3 normal = grid_.normal(index);
+  std::array<vec3, kPoints> points;
+  size_t count = 0;
+  Random random(index);
+  for (size_t i = 0; i < kPoints; ++i) {
+    const float root = std::sqrt(random.next()), along = random.next();
+    points[count] = c[0] * (1 - root) + (c[1] * (1 - along) + c[2] * along) * root + normal * kLift;
+    if (!grid_.is_inside(points[count])) ++count;
+  }
+  if (count == 0) return;
+  const auto turn = static_cast<size_t>(random.bits() >> 32);
+  for (size_t l = 0; l < lights_.size(); ++l)
+    if (glm::dot(normal, lights_[l]) > 0 && !grid_.is_blocked(points[(l + turn) % count], lights_[l], index))
+      lit_[index][l / 64] |= uint64_t{1} << (l % 64);
 }
 
 void Goniometer::find_reference_height() {

@@ -11,7 +11,7 @@
 namespace vamp::acquire {
 
 enum class Shadows {
-  tabulated,  // one table for all: whether each light reaches the middle of each facet
+  tabulated,  // one table for all: whether each light reaches one point of each facet
   traced,     // a ray for each vertex and light: the reference that the table is measured against
 };
 
@@ -45,6 +45,7 @@ class Goniometer {
   bool scatter(const Vertex& vertex, Random& random, vec3& throughput, vec3& direction) const;
   bool is_lit(const Vertex& vertex, size_t light) const;
   void tabulate_shadows(int threads);
+  void tabulate_facet(uint32_t index);
   void find_reference_height();
 
   FacetGrid grid_;

@@ -56,7 +56,8 @@ Mesostructure Knit::build(int cells) const {
       const double y = course * (row + 0.5) + 0.98 * course * std::cos(t);
       const double v = static_cast<double>(k) / points;
       const double loose = 0.04 * wale * noise::fractal(0.3, v, 1, loops, 2, static_cast<uint32_t>(row));
-      strand.centre.emplace_back(x, y + loose, -rise * std::cos(2 * t));
+      // Loops are drawn upwards, which on textures is towards smaller v.
+      strand.centre.emplace_back(x, size - y - loose, -rise * std::cos(2 * t));
     }
     strand.endless = true;
     strand.period = dvec3(size, 0, 0);

@@ -15,11 +15,11 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
     return vec3(direction_of({theta * kDegree, phi * kDegree}));
   };
   // The lights of the two pictures, then those that fill the shadows.
-  std::vector<vec3> lights = {towards(30, 130), towards(55, 130)};
+  std::vector<vec3> lights = {towards(30, 230), towards(55, 230)};
   const DirectionSet all = ubo81();
   for (size_t i = 0; i < all.size(); i += 4) lights.emplace_back(all[i]);
   constexpr float kFill = 0.25f;
-  const vec3 views[2] = {towards(0, 0), towards(45, 310)};
+  const vec3 views[2] = {towards(0, 0), towards(45, 50)};
   const Goniometer goniometer(structure, lights, Shadows::tabulated, threads);
 
   Image image(2 * side, side, {"R", "G", "B"});
@@ -31,7 +31,7 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
       Random random(hash_bits(static_cast<uint64_t>(x), static_cast<uint64_t>(y)));
       for (int s = 0; s < samples; ++s) {
         const vec2 place((static_cast<float>(x % side) + random.next()) / static_cast<float>(side),
-                         1 - (static_cast<float>(y) + random.next()) / static_cast<float>(side));
+                         (static_cast<float>(y) + random.next()) / static_cast<float>(side));
         goniometer.trace(place, views[picture], random, radiance);
       }
       for (size_t c = 0; c < 3; ++c) {

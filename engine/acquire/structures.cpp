@@ -73,6 +73,12 @@ Made canvas() {
   return cloth;
 }
 
+Made plain_weave() {
+  auto cloth = std::make_unique<Weave>();
+  cloth->name = "plain";
+  return cloth;
+}
+
 Made twill() {
   auto cloth = std::make_unique<Weave>();
   cloth->name = "twill";
@@ -142,7 +148,7 @@ constexpr StructureRow kRows[] = {
     {"corduroy", "Corduroy: ribs of pile", plain<Corduroy>},
     {"felt", "Wool felt", plain<Felt>},
     {"air-mesh", "Air mesh: a knitted face with holes over a dark back", plain<AirMesh>},
-    {"plain", "Plain weave, grey", plain<Weave>},
+    {"plain", "Plain weave, grey", plain_weave},
     {"twill", "2/2 twill, grey", twill},
     {"knit", "Plain jersey", plain<Knit>},
     {"leather", "Leather with a coarse grain, creases and pores", plain<Leather>},

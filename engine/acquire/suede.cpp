@@ -93,7 +93,7 @@ Mesostructure Suede::build(int cells) const {
     const double u = (i % side + chance(1)) / side, v = (static_cast<double>(i / side) + chance(2)) / side;
     // Tufts turn together, single fibres a little by themselves.
     const double turned = static_cast<double>(ruffle) * (0.9 * fractal(u, v, 6, 6, 3, 36) + 0.45 * (chance(3) - 0.5));
-    const double angle = -0.5 * std::numbers::pi + turned;
+    const double angle = 0.5 * std::numbers::pi + turned;
     const double lying =
         std::clamp(static_cast<double>(lean) + 0.35 * gradient(u, v, 12, 12, 37) + 0.3 * (chance(4) - 0.5), 0.0, 0.95);
     const dvec3 towards(lying * std::cos(angle), lying * std::sin(angle), height * std::sqrt(1 - lying * lying));

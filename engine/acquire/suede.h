@@ -9,7 +9,7 @@ struct Suede : Structure {
   float mm = 10;
   float relief = 1;      // factor of all heights
   float density = 260;   // fibres per square mm
-  float length = 0.3f;  // mm, of a fibre
+  float length = 0.3f;   // mm, of a fibre
   float radius = 0.02f;  // mm
   float lean = 0.72f;    // 0: upright, 1: lying
   float ruffle = 1;      // how far tufts turn away from the brush
