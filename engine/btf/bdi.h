@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/btf/bonn_header.h"
+#include "engine/core/progress.h"
 
 namespace vamp {
 
@@ -28,5 +29,10 @@ Result<BdiHeader> read_bdi_header(std::span<const std::byte> bytes, std::string_
 
 // Why the values cannot be used where they lie, as what was found; nothing when they can.
 std::optional<std::string> why_not_mapped(const BdiHeader& header);
+
+// The values of the file `bytes` as a BTF of the same size and directions has them: linear Rec.709 with the cosine;
+// texels that are not stored stay as they are. bad_input when a value is not finite; cancelled when `progress` says so.
+Status decode(const BdiHeader& header, std::span<const std::byte> bytes, Btf& out, std::string_view file,
+              Progress* progress = nullptr);
 
 }  // namespace vamp

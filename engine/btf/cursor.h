@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,7 +35,7 @@ class Cursor {
   uint32_t count(std::string_view what, uint32_t low, uint32_t high) {
     const uint64_t start = at_;
     const auto value = number<uint32_t>(what);
-    if (!status_) return low;
+    if (error_) return low;
     if (value >= low && value <= high) return value;
     refuse(start, what, fmt::format("{} to {}", low, high), std::to_string(value));
     return low;
@@ -42,7 +43,7 @@ class Cursor {
 
   // The next `size` bytes; none and an error when the file ends before.
   std::span<const std::byte> take(uint64_t size, std::string_view what) {
-    if (!status_) return {};
+    if (error_) return {};
     if (size > bytes_.size() - at_) {
       refuse(at_, what, fmt::format("{} bytes", size), fmt::format("{} to the end of the file", bytes_.size() - at_));
       return {};
@@ -57,20 +58,24 @@ class Cursor {
   }
 
   void refuse(uint64_t place, std::string_view what, std::string_view expected, std::string_view found) {
-    if (status_) status_ = fail(ErrorKind::bad_input, file_, fmt::format("byte {}, {}", place, what), expected, found);
+    if (!error_)
+      error_ = fail(ErrorKind::bad_input, file_, fmt::format("byte {}, {}", place, what), expected, found).value();
   }
 
   uint64_t at() const { return at_; }
   uint64_t left() const { return bytes_.size() - at_; }
   std::span<const std::byte> bytes() const { return bytes_; }
   const std::string& file() const { return file_; }
-  const Status& status() const { return status_; }
+  Status status() const {
+    if (error_) return tl::unexpected(*error_);
+    return {};
+  }
 
  private:
   std::span<const std::byte> bytes_;
   std::string file_;
   uint64_t at_ = 0;
-  Status status_;
+  std::optional<Error> error_;
 };
 
 // The other way round.

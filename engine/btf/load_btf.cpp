@@ -13,7 +13,6 @@
 #include "engine/btf/factored_btf.h"
 #include "engine/btf/light_list.h"
 #include "engine/btf/ptm.h"
-#include "engine/btf/sample_colour.h"
 #include "engine/btf/sparse_btf.h"
 #include "engine/core/jobs.h"
 
@@ -32,40 +31,14 @@ bool all_finite(std::span<const Half> values) {
   return bad == 0;
 }
 
-// The values of a BDI file that cannot be used where they lie: converted, the texels that it leaves out black.
-Result<Btf> decode_bdi(const fs::path& path, const MemoryMap& map, const BdiHeader& header,
-                       const LoadBtfOptions& options, Progress* progress) {
-  const std::string file = path.string();
-  const BonnHeader& bonn = header.bonn;
-  VAMP_TRY(const SampleColour colour, SampleColour::of(bonn.channels, info_of(bonn), bonn.has_cosine, {}, file));
-  VAMP_TRY(Btf btf, make_btf(info_of(bonn), options));
-  if (progress != nullptr) progress->stage("Converting values");
-  const size_t channels = bonn.channels.size();
-  std::vector<Half> halfs(header.bytes_per_texel / sizeof(Half));
-  std::vector<double> sample(channels);
-  std::vector<float> values(btf.values_per_texel());
-  uint64_t stored = 0;
-  for (size_t t = 0; t < btf.texel_count(); ++t) {
-    if (header.mask[t] == std::byte{0}) continue;
-    std::memcpy(halfs.data(), map.bytes().data() + header.offset(stored++), header.bytes_per_texel);
-    for (size_t d = 0; d < halfs.size() / channels; ++d) {
-      for (size_t c = 0; c < channels; ++c) sample[c] = double{float_from_half(halfs[d * channels + c])};
-      if (!colour.convert(sample, d % bonn.lights.size(), std::span(values).subspan(3 * d).first<3>()))
-        return fail(ErrorKind::bad_input, file, place_of(btf.info(), t, d), "a finite value", "none");
-    }
-    btf.write_texel(t, values);
-    if (progress == nullptr) continue;
-    progress->fraction(static_cast<float>(t) / static_cast<float>(btf.texel_count()));
-    if (progress->cancelled()) return JobQueue::cancelled_error();
-  }
-  return btf;
-}
-
 Result<Btf> load_bdi(const fs::path& path, const LoadBtfOptions& options, Progress* progress) {
   VAMP_TRY(const MemoryMap map, MemoryMap::open(path, MapAccess::read));
   VAMP_TRY(const BdiHeader header, read_bdi_header(map.bytes(), path.string()));
-  if (why_not_mapped(header) || !options.output.empty() || options.mm_per_texel)
-    return decode_bdi(path, map, header, options, progress);
+  if (why_not_mapped(header) || !options.output.empty() || options.mm_per_texel) {
+    VAMP_TRY(Btf btf, make_btf(info_of(header.bonn), options));
+    VAMP_CHECK_STATUS(decode(header, map.bytes(), btf, path.string(), progress));
+    return btf;
+  }
   VAMP_TRY(Btf btf, Btf::open(path));
   VAMP_CHECK_STATUS(check_finite(btf, path.string(), progress));
   return btf;
