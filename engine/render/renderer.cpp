@@ -364,7 +364,7 @@ uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels
     list.bind(kernels_.get(pass, key), set_);
     list.push(push);
     if (list_of_pixels)
-      list.dispatch((push.width + GROUP_SIZE - 1) / GROUP_SIZE);
+      list.dispatch(std::max((push.width + GROUP_SIZE - 1) / GROUP_SIZE, 1u));
     else
       list.dispatch(groups(push.width), groups(push.height));
   };
@@ -418,6 +418,16 @@ uint64_t Renderer::replay(uint32_t most) {
     replay_at_ = 0;
     replay_.advance(batch);
   }
+  return value;
+}
+
+uint64_t Renderer::prepare_replay() {
+  CHECK(!replaying());
+  // lavapipe compiles at the first dispatch, of whatever size: a list without pixels will do.
+  frame::TilePush push{};
+  push.height = 1;
+  uint64_t value = submit_batch(push, true, false, 1);
+  if (batches_fit()) value = submit_batch(push, true, false, SAMPLES_PER_HIT);
   return value;
 }
 

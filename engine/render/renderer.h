@@ -68,6 +68,8 @@ class Renderer {
   // before anything else is refined. Submits the next batch of at most `most` of them; returns the timeline value.
   bool replaying() const { return replay_.active(); }
   uint64_t replay(uint32_t most);
+  // Has the driver compile what replay() will dispatch, so that the first edit need not wait for it. Changes nothing.
+  uint64_t prepare_replay();
   // Samples that all pixels have at least, also while some are shaded again.
   uint32_t replayed_samples() const { return replaying() ? std::min(replay_.done(), samples()) : samples(); }
   // Whether replay() is between two batches: every pixel of the list has the same number of samples.

@@ -310,6 +310,10 @@ class RenderSession::Impl {
       if (pass_ms_.size() > 9) pass_ms_.pop_front();
     }
     if (ids_stale_) update_ids();
+    if (samples >= SAMPLES_PER_HIT && prepared_ != renderer_.key()) {
+      prepared_ = renderer_.key();
+      device_.wait(renderer_.prepare_replay());
+    }
     if (noise_.wants(samples)) noise_.add(samples, renderer_.linear_picture(value));
     finished_ = samples >= renderer_.project().settings.max_samples;
     std::vector<double> sorted(pass_ms_.begin(), pass_ms_.end());
@@ -382,6 +386,7 @@ class RenderSession::Impl {
   mutable Renderer renderer_;
   int cursor_ = 0;
   bool ids_stale_ = true;
+  KernelKey prepared_;  // for which replay's kernels are compiled
   double coverage_ = 1;
   NoiseEstimate noise_;
   std::deque<double> pass_ms_;

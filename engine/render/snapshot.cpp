@@ -27,7 +27,8 @@ Status save_snapshot(const Still& still, const Job& job, const std::filesystem::
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   VAMP_TRY(const std::string text, job_to_text(job, folder));
   Metadata metadata = {{"Software", "Vamp"}, {std::string(kJobKey), text}};
-  if (lower_extension(path) == ".exr") return save_exr(path, still.image, {.half = format.exr_half, .metadata = metadata});
+  if (lower_extension(path) == ".exr")
+    return save_exr(path, still.image, {.half = format.exr_half, .metadata = metadata});
 
   const DisplaySettings& shown = job.project.display;
   const ToneCurve curve = shown.tone_map == ToneMap::pbr_neutral ? ToneCurve::neutral : ToneCurve::linear;

@@ -71,7 +71,7 @@ const uint VISIBILITY_WORDS = (SAMPLES_PER_HIT * RAY_COUNT + 31u) / 32u;
 bool pixel_of_invocation(out uvec2 pixel, out uint index) {
   if (LIST) {
     uint entry = gl_GlobalInvocationID.x;
-    index = list[tile.x + min(entry, tile.width - 1u)];
+    index = list[tile.x + min(entry, max(tile.width, 1u) - 1u)];
     pixel = uvec2(index % params.region_width, index / params.region_width);
     return entry < tile.width;
   }
