@@ -10,6 +10,7 @@
 #include "editor/widgets/edit.h"
 #include "editor/widgets/notify.h"
 #include "editor/widgets/theme.h"
+#include "engine/core/clock.h"
 #include "engine/core/files.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
@@ -108,7 +109,7 @@ void Editor::start_renderer() {
 }
 
 void Editor::tell_time(const char* what) const {
-  spdlog::debug("{} after {:.2f} s", what, std::chrono::duration<double>(Clock::now() - options_.started).count());
+  spdlog::debug("{} after {:.2f} s", what, seconds_since(options_.started));
 }
 
 void Editor::update_renderer() {
@@ -125,10 +126,48 @@ void Editor::update_renderer() {
     told_first_picture_ = true;
     tell_time("first whole sample");
   }
-  if (context_.status.error != told_error_) {
-    told_error_ = context_.status.error;
-    if (!told_error_.empty()) ui::notify(ui::Notice::error, "The renderer stopped: " + told_error_);
+  if (told_first_picture_ && document_.can_undo()) lose_device_for_test();
+  if (context_.status.error == told_error_) return;
+  told_error_ = context_.status.error;
+  if (context_.status.lost) {
+    lost_ = fail(ErrorKind::device_lost, "", "", told_error_ + "; unsaved changes are offered at the next start");
+    // Whatever becomes of the machine now.
+    if (const Status kept = files_.autosave().flush(); !kept) ui::notify(ui::Notice::warning, kept.error().message());
+  } else if (!told_error_.empty()) {
+    ui::notify(ui::Notice::error, "The renderer stopped: " + told_error_);
   }
+}
+
+// Asked until there is an answer: another question may be open when the device goes.
+void Editor::ask_about_lost_device() {
+  if (lost_ || question_.open() || !session_) return;
+  question_.ask("The renderer lost its device",
+                told_error_ + ".\n\nThe document is whole, and what is not saved is kept for the next start.",
+                {"Start the renderer anew", "Quit", "Go on without a picture"}, [this](size_t answer) {
+                  if (answer == 0) restart_renderer();
+                  if (answer == 1) {
+                    // As after a crash: the program ends with an error, and the next start offers the document.
+                    files_.autosave().abandon();
+                    window_.quit();
+                  } else {
+                    lost_ = {};
+                  }
+                });
+}
+
+void Editor::restart_renderer() {
+  context_.session = nullptr;
+  session_ = nullptr;
+  render_device_ = nullptr;  // perhaps it was lost
+  picture_.clear();
+  told_error_.clear();
+  lost_ = {};
+}
+
+void Editor::lose_device_for_test() {
+  const std::string what = std::exchange(options_.lose_device, "");
+  if (what == "renderer") session_->lose_device();
+  if (what == "window") throw MachineError(ErrorKind::device_lost, "the device was lost on request");
 }
 
 void Editor::frame() {
@@ -154,6 +193,7 @@ void Editor::frame() {
   snapshot_.draw();
   preset_dialog_.draw();
   dialog_.draw();
+  ask_about_lost_device();
   question_.draw();
   if (ui::take_abandoned_edit()) document_.commit_gesture();
 
@@ -220,6 +260,7 @@ void Editor::dropped(const std::vector<std::string>& paths) {
 void Editor::abandon() { files_.autosave().abandon(); }
 
 Status Editor::finish() {
+  VAMP_CHECK_STATUS(lost_);
   const Status recorded = record_exit();
   if (!options_.safe_mode) {
     settings_.layout = dock_.store();

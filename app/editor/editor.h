@@ -1,6 +1,5 @@
 #pragma once
 // The editor while its window is open: the document with everything that follows it, what the menus do, what is drawn.
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -18,6 +17,7 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/dock.h"
 #include "editor/widgets/shell.h"
+#include "engine/core/clock.h"
 
 namespace vamp {
 
@@ -41,7 +41,7 @@ class Editor {
   void abandon();
 
  private:
-  // editor_actions.cpp: the registry.
+  // editor_actions.cpp, editor_view_actions.cpp: the registry.
   void add_actions();
   void add_file_actions();
   void add_edit_actions();
@@ -50,6 +50,7 @@ class Editor {
   void add_light_actions();
   void add_view_actions();
   void add_render_actions();
+  void explain_the_mouse();
   void draw_recent_files();
 
   // editor_tasks.cpp: what actions and panels ask for.
@@ -76,10 +77,12 @@ class Editor {
   void start_renderer();
   void update_renderer();
   void measure_frames();
+  void lose_device_for_test();
+  void restart_renderer();
+  void ask_about_lost_device();
   void tell_time(const char* what) const;  // since the start, in the log
   const Project& project() const { return *document_.project(); }
 
-  using Clock = std::chrono::steady_clock;
   gpu::Device& device_;
   window::Window& window_;
   window::Textures& textures_;
@@ -110,6 +113,7 @@ class Editor {
   bool about_ = false;
   std::string title_, told_error_;
   bool told_first_picture_ = false;
+  Status lost_;  // what the renderer lost its device by; fine as long as it has one
 
   // --frames
   std::vector<double> frame_ms_, build_ms_, draw_ms_, present_ms_;

@@ -4,26 +4,12 @@
 #include "app/editor/editor.h"
 #include "editor/model/edits_material.h"
 #include "editor/model/edits_scene.h"
+#include "editor/panels/part_menu.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/notify.h"
 #include "engine/core/files.h"
-#include "engine/gpu/device.h"
-#include "engine/project/studio.h"
 
 namespace vamp {
-namespace {
-
-// A light of a type where the studio's key stands: it shines on the model wherever that is.
-Light new_light(const Scene& scene, LightType type) {
-  Light light = studio_lights(scene.bounds).front();
-  light.type = type;
-  light.name = std::string(name_of(type));
-  light.name[0] = static_cast<char>(light.name[0] - 'a' + 'A');
-  light.radius = 0.5f * std::max(light.size.x, light.size.y);
-  return light;
-}
-
-}  // namespace
 
 void Editor::add_actions() {
   add_file_actions();
@@ -42,6 +28,29 @@ void Editor::add_actions() {
                 }});
   actions_.add(
       {.id = "help.about", .label = "About Vamp", .menu = "Help", .run = [this] { about_ = true; }, .group = 1});
+  explain_the_mouse();
+}
+
+void Editor::explain_the_mouse() {
+  for (const auto& [what, how] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"Select part and cluster", "click the picture"},
+           {"Menu of a part", "right click on it"},
+           {"Turn the view", "right or middle drag, Alt+drag"},
+           {"Turn it by 5°, by 1°", "arrow keys, with Shift"},
+           {"Move the view", "Shift+middle drag, Ctrl+Alt+drag"},
+           {"Zoom to the mouse", "wheel"},
+           {"Frame the model", "double-click beside it"},
+           {"Frame a part", "double-click it in the list"},
+           {"Put a preset on a part", "drag it onto the picture"},
+           {"Open a model, project, preset or map", "drop its file on the window"},
+           {"Change a value", "drag slider or number"},
+           {"Finely", "Shift+drag"},
+           {"Type a value", "double-click, Ctrl+click, Tab"},
+           {"Take a drag back", "Esc before letting go"},
+           {"Reset, copy, paste a value", "right click on it"},
+           {"Rename a kept view", "double-click its name"},
+           {"Move a panel", "drag its tab"}})
+    actions_.explain(what, how);
 }
 
 void Editor::add_file_actions() {
@@ -144,6 +153,23 @@ void Editor::add_edit_actions() {
                 .text = [this] { return "Redo " + document_.redo_name(); }});
   actions_.add(
       {.id = "edit.redo_too", .label = "Redo (second key)", .shortcut = "Ctrl+Y", .run = redo, .enabled = can_redo});
+  const auto chosen = [this] { return selection_.part >= 0; };
+  actions_.add({.id = "edit.copy",
+                .label = "Copy material",
+                .menu = "Edit",
+                .shortcut = "Ctrl+C",
+                .run = [this] { ui::copy_material(context_, selection_.part); },
+                .enabled = chosen,
+                .tooltip = "The selected part's material with its edits",
+                .group = 1});
+  actions_.add({.id = "edit.paste",
+                .label = "Paste material",
+                .menu = "Edit",
+                .shortcut = "Ctrl+V",
+                .run = [this] { ui::paste_material_onto(context_, selection_.part); },
+                .enabled = [this] { return selection_.part >= 0 && ui::can_paste_material(context_); },
+                .tooltip = "Onto the selected part",
+                .group = 1});
   actions_.add({.id = "edit.reset_cluster",
                 .label = "Reset the selected cluster",
                 .menu = "Edit",
@@ -153,13 +179,13 @@ void Editor::add_edit_actions() {
                           reset_rows(project(), rows_of_cluster(project(), selection_.material, selection_.cluster)));
                     },
                 .enabled = [this] { return selection_.material >= 0 && selection_.cluster >= 0; },
-                .group = 1});
+                .group = 2});
   actions_.add({.id = "edit.reset_material",
                 .label = "Reset the whole material",
                 .menu = "Edit",
                 .run = [this] { document_.edit(reset_material(project(), selection_.material)); },
                 .enabled = [this] { return selection_.material >= 0; },
-                .group = 1});
+                .group = 2});
 }
 
 void Editor::add_selection_actions() {
@@ -233,157 +259,6 @@ void Editor::add_material_actions() {
                 .label = "Look for presets again",
                 .menu = "Material",
                 .run = [this] { presets_.rescan(); },
-                .group = 1});
-}
-
-void Editor::add_light_actions() {
-  const auto room = [this] { return files_.ready() && project().lights.size() < kMaxLights; };
-  const auto add = [&](const char* id, const char* label, LightType type) {
-    actions_.add({.id = id,
-                  .label = label,
-                  .menu = "Light",
-                  .run = [this, type] { document_.edit(add_light(project(), new_light(*project().scene, type))); },
-                  .enabled = room});
-  };
-  add("light.rect", "Add a rectangle", LightType::rect);
-  add("light.disk", "Add a disk", LightType::disk);
-  add("light.sphere", "Add a sphere", LightType::sphere);
-  add("light.point", "Add a point", LightType::point);
-  actions_.add({.id = "light.studio",
-                .label = "Studio lights",
-                .menu = "Light",
-                .run =
-                    [this] {
-                      document_.edit("Studio lights", "", [](Project& now) {
-                        now.lights = studio_lights(now.scene->bounds);
-                        now.ambient = vec3(kStudioAmbient);
-                        now.environment = {};
-                      });
-                    },
-                .enabled = [this] { return files_.ready(); },
-                .tooltip = "Two soft rectangles fitted to the model, in place of all lights",
-                .group = 1});
-  const auto has_map = [this] { return project().environment.map != nullptr; };
-  actions_.add({.id = "light.show_environment",
-                .label = "Show the environment behind the model",
-                .menu = "Light",
-                .run = [this] { document_.edit(show_environment(project(), !project().environment.visible)); },
-                .enabled = has_map,
-                .checked = [this] { return project().environment.visible; },
-                .group = 2});
-  actions_.add({.id = "light.remove_environment",
-                .label = "Remove the environment",
-                .menu = "Light",
-                .run = [this] { document_.edit(remove_environment(project())); },
-                .enabled = has_map,
-                .group = 2});
-}
-
-void Editor::add_view_actions() {
-  const auto ready = [this] { return files_.ready(); };
-  const auto tool = [&](const char* id, const char* label, const char* key, ui::Tool which, const char* tip) {
-    actions_.add({.id = id,
-                  .label = label,
-                  .menu = "View",
-                  .shortcut = key,
-                  .run = [this, which] { context_.tool = which; },
-                  .checked = [this, which] { return context_.tool == which; },
-                  .tooltip = tip});
-  };
-  tool("view.pick", "Pick", "P", ui::Tool::pick, "A click selects the part and the cluster under the mouse");
-  tool("view.orbit", "Orbit", "O", ui::Tool::orbit, "The left button turns the view");
-  actions_.add({.id = "view.fit",
-                .label = "Frame",
-                .menu = "View",
-                .shortcut = "F",
-                .run = [this] { ui::fit_selection(context_); },
-                .enabled = ready,
-                .tooltip = "Fits the selected part, or the whole model, into the picture",
-                .group = 1});
-  for (const ui::StandardViewRow& row : ui::kStandardViews) {
-    actions_.add({.id = std::string("view.standard_") + row.label,
-                  .label = row.label,
-                  .menu = "View/Standard views",
-                  .run = [this, view = row.view] { ui::standard_view(context_, view); },
-                  .enabled = ready,
-                  .tooltip = row.tooltip,
-                  .group = 1});
-  }
-  actions_.add({.id = "view.outlines",
-                .label = "Outlines",
-                .menu = "View",
-                .shortcut = "Ctrl+H",
-                .run = [this] { context_.show_outlines = !context_.show_outlines; },
-                .checked = [this] { return context_.show_outlines; },
-                .tooltip = "Lines around the selection and what the mouse is over",
-                .group = 2});
-  for (const ui::Panel& panel : dock_.panels()) {
-    if (panel.central) continue;
-    actions_.add({.id = "view.panel_" + panel.id,
-                  .label = panel.title,
-                  .menu = "View/Panels",
-                  .run = [this, id = panel.id] { dock_.visible(id) ? dock_.close(id) : dock_.show(id); },
-                  .checked = [this, id = panel.id] { return dock_.visible(id); },
-                  .group = 3});
-  }
-  const auto scale = [&](const char* id, const char* label, float value) {
-    actions_.add({.id = id,
-                  .label = label,
-                  .menu = "View/Size of the interface",
-                  .run = [this, value] { set_ui_scale(value); },
-                  .checked = [this, value] { return settings_.ui_scale == value; },
-                  .group = 3});
-  };
-  scale("view.scale_auto", "As the screen asks", 0);
-  scale("view.scale_100", "100 %", 1);
-  scale("view.scale_125", "125 %", 1.25f);
-  scale("view.scale_150", "150 %", 1.5f);
-  scale("view.scale_200", "200 %", 2);
-  actions_.add({.id = "view.reset_layout",
-                .label = "Reset the layout",
-                .menu = "View",
-                .run = [this] { dock_.reset(); },
-                .group = 3});
-}
-
-void Editor::add_render_actions() {
-  const auto running = [this] { return session_ != nullptr; };
-  actions_.add({.id = "render.pause",
-                .label = "Pause",
-                .menu = "Render",
-                .shortcut = "Ctrl+P",
-                .run =
-                    [this] {
-                      paused_ = !paused_;
-                      session_->pause(paused_ || snapshot_.running());
-                    },
-                .enabled = running,
-                .checked = [this] { return paused_; }});
-  actions_.add({.id = "render.restart",
-                .label = "Start the renderer anew",
-                .menu = "Render",
-                .run =
-                    [this] {
-                      context_.session = nullptr;
-                      session_ = nullptr;
-                  render_device_ = nullptr;  // perhaps it was lost
-                      picture_.clear();
-                    },
-                .enabled = running});
-  actions_.add({.id = "render.snapshot",
-                .label = "Export snapshot…",
-                .menu = "Render",
-                .shortcut = "F12",
-                .run = [this] { snapshot_.open(document_.project(), viewport_width_, viewport_height_); },
-                .enabled = [this] { return files_.ready() && !snapshot_.running(); },
-                .group = 1});
-  actions_.add({.id = "render.snapshot_again",
-                .label = "Export snapshot again",
-                .menu = "Render",
-                .shortcut = "Shift+F12",
-                .run = [this] { snapshot_.repeat(document_.project()); },
-                .enabled = [this] { return snapshot_.can_repeat() && files_.ready(); },
-                .tooltip = "With the same choices, over the same file",
                 .group = 1});
 }
 

@@ -19,6 +19,7 @@ struct EditorOptions {
   int frames = 0;             // over 0: draws this many frames once the picture is there, prints their times, ends
   std::filesystem::path record_exit;  // not empty: the linear picture with its job goes there at the end (.exr)
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+  std::string lose_device;            // for tests, after the first edit: what loses its device, "renderer" or "window"
   std::function<bool()> interrupted;  // whether the program was asked to end from outside; may be empty
 };
 

@@ -87,9 +87,38 @@ Edit use_material_of(const Project& project, int part, int material) {
   });
 }
 
+Edit paste_material(const Project& project, int part, const MaterialInstance& material) {
+  Edit edit = edit_part(project, part, "Material", [part, material](Project& target, PartState&) {
+    const auto same = std::find_if(target.materials.begin(), target.materials.end(), [&](MaterialInstance other) {
+      other.name = material.name;
+      return other == material;
+    });
+    const int index = static_cast<int>(same - target.materials.begin());
+    if (same == target.materials.end()) {
+      target.materials.push_back(material);
+      target.materials.back().name =
+          unique_name(target.materials, material.name, [](const MaterialInstance& other) { return other.name; });
+    }
+    share_material(target, part, index);
+  });
+  if (within(part, project.parts))
+    edit.name = fmt::format("{} on {}", material.name, project.parts[static_cast<size_t>(part)].name);
+  return edit;
+}
+
 Edit make_material_unique(const Project& project, int part) {
   return edit_part(project, part, "Material copy",
                    [part](Project& target, PartState&) { make_unique_material(target, part); });
+}
+
+Edit show_only(const Project& project, int part) {
+  Edit edit;
+  edit.name = within(part, project.parts) ? "Show only " + project.parts[static_cast<size_t>(part)].name
+                                          : std::string("Show all parts");
+  edit.change = [part](Project& target) {
+    for (size_t i = 0; i < target.parts.size(); ++i) target.parts[i].visible = part < 0 || static_cast<int>(i) == part;
+  };
+  return edit;
 }
 
 Edit show_part(const Project& project, int part, bool visible) {

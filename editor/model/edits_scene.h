@@ -12,8 +12,11 @@ namespace vamp {
 Edit put_preset(const Project& project, int part, std::shared_ptr<const Preset> preset, const std::string& path);
 Edit use_own_material(const Project& project, int part);
 Edit use_material_of(const Project& project, int part, int material);
+// A material that was copied from a part, as it was then: parts that get the same one share it.
+Edit paste_material(const Project& project, int part, const MaterialInstance& material);
 Edit make_material_unique(const Project& project, int part);
 Edit show_part(const Project& project, int part, bool visible);
+Edit show_only(const Project& project, int part);  // all others are hidden; -1: all are shown
 Edit set_mirror(const Project& project, int part, float f0);
 Edit set_texture_scale(const Project& project, int part, float scale);
 Edit set_texture_rotation(const Project& project, int part, float radians);

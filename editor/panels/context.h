@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "editor/model/document.h"
@@ -38,6 +40,10 @@ struct PanelContext {
   bool show_outlines = true;
   Camera opened_camera;  // where the camera stood when the document was opened: what its rows go back to
   Pick hover;            // what the mouse is over in the viewport; part -1 while it is elsewhere
+
+  // What was copied from a part, and the model that it was copied in.
+  std::optional<MaterialInstance> copied_material;
+  std::shared_ptr<const Scene> copied_from;
 
   // What lies under a point of the picture, in pixels; empty: the session answers.
   std::function<Pick(float x, float y)> pick;

@@ -28,7 +28,7 @@ DockLayout default_layout() {
   auto lower = L::column(L::leaf({"parts", "lights", "camera"}), L::leaf({"history", "log"}), 150, 0.74f);
   auto left = L::column(L::leaf({"presets"}), std::move(lower), 360, 0.38f);
   auto right = L::row(L::leaf({"viewport"}), L::leaf({"material", "render"}), 432);
-  return L(L::row(std::move(left), std::move(right), 258));
+  return L(L::row(std::move(left), std::move(right), 290));
 }
 
 }  // namespace vamp::ui

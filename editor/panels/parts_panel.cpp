@@ -9,6 +9,7 @@
 #include "editor/panels/apply_edit.h"
 #include "editor/panels/fit_figures.h"
 #include "editor/panels/lengths.h"
+#include "editor/panels/part_menu.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/controls.h"
@@ -26,16 +27,6 @@ constexpr size_t kSearchFrom = 12;  // fewer parts are seen at a glance
 
 const PartState& part_of(const Project& project, int part) { return project.parts[static_cast<size_t>(part)]; }
 
-// All parts but one are hidden, or all are shown, in one step.
-vamp::Edit show_only(const Project& project, int part) {
-  vamp::Edit edit;
-  edit.name = part >= 0 ? "Show only " + part_of(project, part).name : "Show all parts";
-  edit.change = [part](Project& target) {
-    for (size_t i = 0; i < target.parts.size(); ++i) target.parts[i].visible = part < 0 || static_cast<int>(i) == part;
-  };
-  return edit;
-}
-
 }  // namespace
 
 void PartsPanel::draw(PanelContext& context) {
@@ -47,10 +38,12 @@ void PartsPanel::draw(PanelContext& context) {
   } else {
     search_.clear();
   }
+  if (!project->scene->notes.empty()) draw_notes(*project->scene);
   // The list scrolls on its own, so that the selected part's rows stay in sight.
   const float room = ImGui::GetContentRegionAvail().y, line = px(22);
   const float list = static_cast<float>(project->parts.size()) * line + px(6);
-  const float height = std::min(list, std::max(room - px(kRowsHeight), room * 0.5f));
+  const bool rows = context.selection.part >= 0;
+  const float height = rows ? std::min(list, std::max(room - px(kRowsHeight), room * 0.5f)) : room;
   if (ImGui::BeginChild("list", ImVec2(0, std::max(height, 3 * line)))) draw_table(context);
   ImGui::EndChild();
   if (context.selection.part >= 0) draw_part(context, context.selection.part);
@@ -87,7 +80,10 @@ void PartsPanel::draw_table(PanelContext& context) {
       cell_text(part.name.c_str(), part.visible ? 0 : theme().dim);
       ImGui::TableNextColumn();
       cell_text(shown.c_str(), selected ? 0 : theme().dim);
-      draw_menu(context, i);
+      if (ImGui::BeginPopup("##menu")) {
+        part_menu(context, i);
+        ImGui::EndPopup();
+      }
       ImGui::PopID();
     }
     ImGui::EndTable();
@@ -96,31 +92,18 @@ void PartsPanel::draw_table(PanelContext& context) {
   shown_ = context.selection.part;
 }
 
-void PartsPanel::draw_menu(PanelContext& context, int part) {
-  if (!ImGui::BeginPopup("##menu")) return;
-  const ProjectPtr project = context.document.project();
-  const PartState& state = part_of(*project, part);
-  if (ImGui::BeginMenu("Assign preset", !context.presets.entries().empty())) {
-    for (const LibraryEntry& entry : context.presets.entries()) {
-      ImGui::PushID(&entry);
-      if (ImGui::MenuItem(entry.info.name.c_str(), nullptr, false, entry.problem.empty()) && context.assign_preset) {
-        context.assign_preset(entry.info.path, part);
-      }
-      ImGui::PopID();
-    }
-    ImGui::EndMenu();
-  }
-  if (ImGui::MenuItem("Use the model's own material")) context.document.edit(use_own_material(*project, part));
-  const bool shared = std::count_if(project->parts.begin(), project->parts.end(),
-                                    [&](const PartState& other) { return other.material == state.material; }) > 1;
-  if (ImGui::MenuItem("Make unique", nullptr, false, shared)) {
-    context.document.edit(make_material_unique(*project, part));
-  }
-  hover_text("Gives the part a copy of its material, so that edits leave the others alone");
-  ImGui::Separator();
-  if (ImGui::MenuItem("Fit view to part")) fit_part(context, part);
-  if (ImGui::MenuItem("Hide others")) context.document.edit(show_only(*project, part));
-  if (ImGui::MenuItem("Show all")) context.document.edit(show_only(*project, -1));
+// What the importer left out or made up, for those who wonder why the shoe looks different elsewhere.
+void PartsPanel::draw_notes(const Scene& scene) {
+  const size_t count = scene.notes.size();
+  const std::string text = fmt::format("{} {} on the model", count, count == 1 ? "remark" : "remarks");
+  ImGui::PushStyleColor(ImGuiCol_Text, theme().changed);
+  if (ImGui::Selectable(text.c_str())) ImGui::OpenPopup("##notes");
+  ImGui::PopStyleColor();
+  hover_text("What of the model's file is not shown, or was made up");
+  if (!ImGui::BeginPopup("##notes")) return;
+  ImGui::PushTextWrapPos(px(420));
+  for (const std::string& note : scene.notes) ImGui::TextUnformatted(note.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::EndPopup();
 }
 
@@ -139,7 +122,7 @@ void PartsPanel::draw_part(PanelContext& context, int part) {
     info_row("Texture", size_text.c_str(), "The size of one repeat on the part");
   }
   number_row(document,
-             {"Texture scale", kMinTextureScale, kMaxTextureScale, 1, "%.2f ×",
+             {"Scale", kMinTextureScale, kMaxTextureScale, 1, "%.2f ×",
               "Size of the texture on the part over its physical size.", "times", &kLog},
              state.texture_scale, [&](float value) { return set_texture_scale(*project, part, value); });
   const float turn = std::remainder(glm::degrees(state.texture_rotation), 360.0f);

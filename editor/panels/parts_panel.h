@@ -12,7 +12,7 @@ class PartsPanel {
 
  private:
   void draw_table(PanelContext& context);
-  void draw_menu(PanelContext& context, int part);
+  void draw_notes(const Scene& scene);
   void draw_part(PanelContext& context, int part);
   std::string search_;
   int shown_ = -1;  // the part that the table has scrolled to

@@ -85,6 +85,10 @@ void PresetsPanel::draw_menu(PanelContext& context, const LibraryEntry& entry) {
       part >= 0 ? "Assign to " + context.document.project()->parts[static_cast<size_t>(part)].name : "Assign";
   if (ImGui::MenuItem(onto.c_str(), "double-click", false, usable)) context.assign_preset(entry.info.path, part);
   ImGui::Separator();
+  if (ImGui::MenuItem("Duplicate", nullptr, false, entry.problem.empty())) {
+    const Result<std::filesystem::path> copy = context.presets.duplicate(entry.info.path);
+    if (!copy) report(context, tl::unexpected(copy.error()));
+  }
   if (ImGui::MenuItem("Rename…", nullptr, false, entry.writable && entry.problem.empty())) {
     name_ = entry.info.name;
     rename_wanted_ = true;

@@ -25,7 +25,8 @@ std::string status_text(const RenderStatus& status) {
   std::string text = fmt::format("{} {}", status.samples, status.samples == 1 ? "sample" : "samples");
   text += fmt::format(" · {:.1f} s", status.seconds);
   if (status.noise >= 0) text += fmt::format(" · noise {:.2g} %", static_cast<double>(status.noise) * 100);
-  if (status.ms_per_sample > 0) text += fmt::format(" · {:.{}f} ms a sample", status.ms_per_sample, status.ms_per_sample < 10 ? 1 : 0);
+  if (status.ms_per_sample > 0)
+    text += fmt::format(" · {:.{}f} ms a sample", status.ms_per_sample, status.ms_per_sample < 10 ? 1 : 0);
   if (!status.device.empty()) text += " · " + status.device.substr(0, status.device.find(" ("));
   if (status.finished) text += " · done";
   return text;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "editor/model/edits_scene.h"
+#include "editor/panels/part_menu.h"
 #include "editor/panels/presets_panel.h"
 #include "editor/panels/subject.h"
 #include "editor/panels/view_commands.h"
@@ -47,6 +49,20 @@ void ViewportPanel::draw(PanelContext& context) {
   handle_mouse(context, low, size, hovered);
   handle_keys(context, hovered);
   draw_chips(context, low, size, over);
+  draw_menu(context);
+}
+
+void ViewportPanel::draw_menu(PanelContext& context) {
+  if (!ImGui::BeginPopup("##part")) return;
+  const ProjectPtr project = context.document.project();
+  if (pressed_part_ >= 0 && static_cast<size_t>(pressed_part_) < project->parts.size()) {
+    part_menu(context, pressed_part_);
+  } else {
+    if (ImGui::MenuItem("Frame the model")) fit_view(context);
+    if (ImGui::MenuItem("Show all parts", "Alt+H")) context.document.edit(show_only(*project, -1));
+    if (ImGui::MenuItem("Outlines", "Ctrl+H", context.show_outlines)) context.show_outlines = !context.show_outlines;
+  }
+  ImGui::EndPopup();
 }
 
 void ViewportPanel::ask_for_size(PanelContext& context, ImVec2 size) {
@@ -93,6 +109,7 @@ void ViewportPanel::handle_mouse(PanelContext& context, ImVec2 low, ImVec2 size,
     const bool orbit = button_ != 0 || io.KeyAlt || context.tool == Tool::orbit;
     drag_ = pan ? Drag::pan : orbit ? Drag::orbit : Drag::other;
     travelled_ = false;
+    pressed_part_ = context.hover.part;  // while it is held nothing is hovered
   }
   if (drag_ != Drag::none) {
     const bool started = !travelled_;
@@ -111,6 +128,11 @@ void ViewportPanel::handle_mouse(PanelContext& context, ImVec2 low, ImVec2 size,
     }
     if (!down) {
       if (!travelled_ && button_ == 0 && hovered && !io.KeyAlt) click(context);
+      if (!travelled_ && button_ == 1 && hovered) {
+        if (pressed_part_ >= 0 && pressed_part_ != context.selection.part)
+          context.selection = select_part(*context.document.project(), pressed_part_);
+        ImGui::OpenPopup("##part");
+      }
       drag_ = Drag::none;
     }
   }

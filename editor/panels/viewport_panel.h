@@ -2,7 +2,8 @@
 // The picture: orbit, pan and zoom in it, choose parts and clusters with a click, drop presets on parts.
 //   left drag in the orbit tool, middle, right or Alt+left drag: orbit     arrow keys: orbit by 5 degrees, Shift by 1
 //   Shift+middle or Ctrl+Alt+left drag: pan                                wheel: zoom to the mouse
-//   click: select; double-click on nothing: fit                            Esc: select nothing
+//   click: select; right click: menu of the part                           double-click on nothing: fit
+//   Esc: select nothing
 #include <string>
 
 #include "editor/panels/context.h"
@@ -24,10 +25,12 @@ class ViewportPanel {
   void zoom(PanelContext& context, ImVec2 low, ImVec2 size) const;
   void click(PanelContext& context);
   void accept_drop(PanelContext& context);
+  void draw_menu(PanelContext& context);
   void draw_chips(const PanelContext& context, ImVec2 low, ImVec2 size, bool over) const;
 
   int asked_width_ = 0, asked_height_ = 0;
   Drag drag_ = Drag::none;
+  int pressed_part_ = -1;   // what lay under the mouse when the button went down
   int button_ = 0;          // of the drag
   bool travelled_ = false;  // further than a click may
   ImVec2 hover_at_{-1, -1};

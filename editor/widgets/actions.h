@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vamp::ui {
@@ -31,7 +32,7 @@ struct Action {
   std::function<bool()> enabled;  // empty: always
   std::function<bool()> checked;  // empty: not a switch
   std::string tooltip;
-  int group = 0;  // a separator stands between neighbours of different groups
+  int group = 0;                      // a separator stands between neighbours of different groups
   std::function<std::string()> text;  // in place of the label in menus and tooltips where it changes: "Undo Gloss"
 };
 
@@ -63,6 +64,9 @@ class Actions {
   void open_sheet() { sheet_wanted_ = true; }
   void draw_popups();  // the palette and the sheet, when open; once a frame, at the root of the identifiers
 
+  // A line of the sheet about the mouse: "Turn the view", "right drag".
+  void explain(std::string what, std::string how) { gestures_.emplace_back(std::move(what), std::move(how)); }
+
   // How well a text fits what was typed, 0 for not at all: letters in order, better at the starts of words.
   static int match(std::string_view typed, std::string_view text);
 
@@ -75,6 +79,7 @@ class Actions {
   std::deque<Action> actions_;  // references stay valid
   std::vector<Shortcut> shortcuts_;
   std::map<std::string, std::vector<std::function<void()>>, std::less<>> parts_;
+  std::vector<std::pair<std::string, std::string>> gestures_;
   std::string typed_;
   int chosen_ = 0;
   bool palette_wanted_ = false;

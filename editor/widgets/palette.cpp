@@ -112,25 +112,43 @@ void Actions::draw_palette() {
   if (run_now != nullptr) run(run_now->id);
 }
 
+// Two columns: what keys do, menu by menu, and what the mouse does.
 void Actions::draw_sheet() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-  ImGui::SetNextWindowSize(ImVec2(px(480), std::min(px(620), screen.y - px(40))));
+  ImGui::SetNextWindowSize(ImVec2(std::min(px(920), screen.x - px(40)), std::min(px(720), screen.y - px(40))));
   bool open = true;
   if (!ImGui::BeginPopupModal("Keyboard shortcuts", &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
-  if (ImGui::BeginTable("##sheet", 2, ImGuiTableFlags_RowBg)) {
+  const float half = ImGui::GetContentRegionAvail().x / 2 - px(6);
+  const auto table = [](const char* id, float keys) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_RowBg)) return false;
     ImGui::TableSetupColumn("what");
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, px(150));
-    for (const Action& action : actions_) {
-      if (action.shortcut.empty()) continue;
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      cell_text(title_of(action).c_str());
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(action.shortcut.c_str());
-    }
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, px(keys));
+    return true;
+  };
+  const auto line = [](const std::string& what, const std::string& how) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    cell_text(what.c_str());
+    ImGui::TableNextColumn();
+    cell_text(how.c_str(), theme().label);
+  };
+  ImGui::BeginChild("keys", ImVec2(half, 0));
+  section("Keys");
+  if (table("##sheet", 110)) {
+    for (const Action& action : actions_)
+      if (!action.shortcut.empty()) line(title_of(action), action.shortcut);
     ImGui::EndTable();
   }
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("mouse", ImVec2(0, 0));
+  section("Mouse");
+  if (table("##gestures", 226)) {
+    for (const auto& [what, how] : gestures_) line(what, how);
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
   if (ImGui::IsKeyPressedMap(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

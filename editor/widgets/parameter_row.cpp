@@ -23,7 +23,9 @@ Drag g_drag;
 std::string shown_text(const Parameter& parameter, float value) {
   char text[64];
   ImFormatString(text, sizeof text, parameter.format, static_cast<double>(value));
-  return text;
+  // What is shown as zero has no sign: "-0.0 mm" looks like something.
+  const bool zero = text[0] == '-' && std::string_view(text).find_first_of("123456789") == std::string_view::npos;
+  return zero ? text + 1 : text;
 }
 
 // Moves the value by the pointer's way since the last frame; `width` pixels are the whole range.

@@ -20,7 +20,7 @@ RowColumns next_row() {
   row.right = at.x + std::max(width, px(120));
   row.reset = row.right - px(20);
   row.number_end = row.reset - px(3);
-  row.number = row.number_end - std::clamp(std::floor(width * 0.18f), px(72), px(76));
+  row.number = row.number_end - std::clamp(std::floor(width * 0.2f), px(80), px(84));
   row.control_end = row.number - px(6);
   row.control = row.left + std::clamp(std::floor(width * 0.30f), px(60), px(150));
   if (row.control > row.control_end) row.control = row.control_end;

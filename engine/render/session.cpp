@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
@@ -200,7 +201,9 @@ class RenderSession::Impl {
       const std::lock_guard state(mutex_);
       if (paused_) return true;
     }
-    if (renderer_.replaying())
+    if (std::exchange(wants_preview_, false))
+      show_all(renderer_.preview(preview_stride()));
+    else if (renderer_.replaying())
       shade_again();
     else
       refine_tile();
@@ -249,6 +252,7 @@ class RenderSession::Impl {
 
   void restart(const std::string& reason, bool places_changed) {
     cursor_ = 0;
+    wants_preview_ = true;
     finished_ = false;
     start_ = Clock::now();
     pass_start_ = start_;
@@ -260,6 +264,14 @@ class RenderSession::Impl {
     status_.finished = false;
     status_.restarted_pixels =
         static_cast<uint64_t>(renderer_.region().width) * static_cast<uint64_t>(renderer_.region().height);
+  }
+
+  // A look that is due within a frame: the whole picture follows a moving camera, and tiles take its place when it
+  // rests.
+  uint32_t preview_stride() const {
+    constexpr double kFrame = 20;  // ms
+    const double sample = pass_ms_.empty() ? 16 * kFrame : pass_ms_.back();
+    return static_cast<uint32_t>(std::clamp(std::ceil(std::sqrt(sample / kFrame)), 1.0, 8.0));
   }
 
   void begin_shading_again(const std::string& reason, const Change& change) {
@@ -385,6 +397,7 @@ class RenderSession::Impl {
   mutable std::atomic<int> readers_{0};
   mutable Renderer renderer_;
   int cursor_ = 0;
+  bool wants_preview_ = false;
   bool ids_stale_ = true;
   KernelKey prepared_;  // for which replay's kernels are compiled
   double coverage_ = 1;
