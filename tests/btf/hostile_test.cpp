@@ -231,7 +231,10 @@ TEST_P(HostileBtf, DamageEndsInAnErrorOrInASoundBtf) {
       EXPECT_EQ(found.width, sound.width);
       EXPECT_EQ(found.height, sound.height);
     }
-    EXPECT_EQ(found.texel_count() * found.values_per_texel(), sound.texel_count() * sound.values_per_texel());
+    // A list whose count and end are damaged so that they agree is a shorter list.
+    const size_t lights = GetParam().damaged == std::string("a.lp") ? found.lights.size() : sound.lights.size();
+    EXPECT_LE(lights, sound.lights.size());
+    EXPECT_EQ(found.texel_count() * found.values_per_texel(), sound.texel_count() * sound.views.size() * lights * 3);
     EXPECT_TRUE(check_finite(*loaded, "values"));
     for (const auto* set : {&found.views, &found.lights})
       for (const dvec3& w : set->directions) EXPECT_TRUE(std::abs(glm::length(w) - 1) < 1e-6 && w.z >= 0);
