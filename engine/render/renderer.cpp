@@ -50,16 +50,16 @@ std::vector<bool> visible_parts(const Project& project) {
   return visible;
 }
 
-frame::TilePush push_of(const Region& tile, uint32_t sample_base) {
+frame::TilePush push_of(const Region& tile, uint32_t sample_base, uint32_t stride = 1) {
   return {static_cast<uint32_t>(tile.x),
           static_cast<uint32_t>(tile.y),
           static_cast<uint32_t>(tile.width),
           static_cast<uint32_t>(tile.height),
           sample_base,
-          0};
+          stride};
 }
 
-uint32_t groups(uint32_t side) { return (side + 7) / 8; }
+uint32_t groups(uint32_t side, uint32_t stride = 1) { return (side + 8 * stride - 1) / (8 * stride); }
 
 bool any_lit(const Project& project) { return project.ambient != vec3(0); }
 
@@ -366,7 +366,7 @@ uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels
     if (list_of_pixels)
       list.dispatch(std::max((push.width + GROUP_SIZE - 1) / GROUP_SIZE, 1u));
     else
-      list.dispatch(groups(push.width), groups(push.height));
+      list.dispatch(groups(push.width, push.stride), groups(push.height, push.stride));
   };
   if (trace) {
     dispatch(Pass::trace);
@@ -411,6 +411,7 @@ uint64_t Renderer::replay(uint32_t most) {
   push.width = std::min(most, step.pixels - replay_at_);
   push.height = 1;
   push.sample_base = done;
+  push.stride = 1;
   const bool stored = done / SAMPLES_PER_HIT + 1 < history_;
   const uint64_t value = submit_batch(push, true, !stored, batch);
   replay_at_ += push.width;
@@ -426,6 +427,7 @@ uint64_t Renderer::prepare_replay() {
   // lavapipe compiles at the first dispatch, of whatever size: a list without pixels will do.
   frame::TilePush push{};
   push.height = 1;
+  push.stride = 1;
   uint64_t value = submit_batch(push, true, false, 1);
   if (batches_fit()) value = submit_batch(push, true, false, SAMPLES_PER_HIT);
   return value;
@@ -440,6 +442,11 @@ uint64_t Renderer::refine(int tile, uint32_t limit) {
   const uint64_t value = submit_batch(push_of(tiles_[static_cast<size_t>(tile)], done), false, true, batch);
   done += batch;
   return value;
+}
+
+uint64_t Renderer::preview(uint32_t stride) {
+  CHECK(stride > 0 && !replaying() && *std::max_element(samples_.begin(), samples_.end()) == 0);
+  return submit_batch(push_of({0, 0, region_.width, region_.height}, 0, stride), false, true, 1);
 }
 
 uint64_t Renderer::refine_all(uint32_t limit) {

@@ -61,6 +61,9 @@ class Renderer {
   // Refines a tile by its next batch up to `limit` samples; returns the timeline value. One submit of trace and shade.
   uint64_t refine(int tile, uint32_t limit);
 
+  // A coarse first look after a restart: one pixel of each block of stride x stride, shown as a block. Counts for nothing.
+  uint64_t preview(uint32_t stride);
+
   // The whole region in one submit, for work that nobody watches; all tiles must stand at the same number of samples.
   uint64_t refine_all(uint32_t limit);
 

@@ -77,7 +77,7 @@ bool pixel_of_invocation(out uvec2 pixel, out uint index) {
   }
   uint i = gl_LocalInvocationID.x;
   uvec2 inside = uvec2((i & 1u) | ((i >> 1) & 2u) | ((i >> 2) & 4u), ((i >> 1) & 1u) | ((i >> 2) & 2u) | ((i >> 3) & 4u));
-  uvec2 p = gl_WorkGroupID.xy * 8u + inside;
+  uvec2 p = (gl_WorkGroupID.xy * 8u + inside) * tile.stride;
   pixel = uvec2(tile.x, tile.y) + p;
   index = pixel.y * params.region_width + pixel.x;
   return p.x < tile.width && p.y < tile.height;

@@ -122,5 +122,9 @@ void main() {
     radiance += plane_emission(plane) * sum.rgb * mean;
     if (plane == PLANE_DIRECT && !sees_environment) radiance += params.background * (1.0 - sum.w * mean);
   }
-  display[index] = display_pixel(radiance);
+  uint shown = display_pixel(radiance);
+  uvec2 end = min(uvec2(tile.stride), uvec2(tile.x + tile.width, tile.y + tile.height) - pixel);
+  if (LIST) end = uvec2(1u);
+  for (uint y = 0u; y < end.y; ++y)
+    for (uint x = 0u; x < end.x; ++x) display[index + y * params.region_width + x] = shown;
 }

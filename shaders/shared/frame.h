@@ -128,7 +128,7 @@ struct TilePush {
   uint x, y;                // of the tile in the region, pixels; with SPEC_LIST: first entry of the list, 0
   uint width, height;       // of the tile; with SPEC_LIST: number of entries, 1
   uint sample_base;         // first sample of this dispatch
-  uint unused;
+  uint stride;              // 1, or every stride-th pixel of every stride-th row, shown as a block
 };
 
 // Accumulator planes of a pixel, each two texels RGBA32F: the compensated sum and its compensation (Kahan 1965).

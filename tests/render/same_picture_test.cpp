@@ -137,6 +137,24 @@ TEST_F(RenderTest, EditsOnTheWayLeaveNoTrace) {
   }
 }
 
+TEST_F(RenderTest, ACoarseLookShowsBlocksOfTheFirstSampleAndLeavesNoTrace) {
+  constexpr int kSide = 45, kStride = 4;
+  const Project project = rich_project();
+  Renderer renderer(*device);
+  ASSERT_TRUE(renderer.set_project(std::make_shared<const Project>(project)));
+  renderer.set_region(kSide, kSide, {0, 0, kSide, kSide});
+  const std::vector<uint32_t> coarse = renderer.display_picture(renderer.preview(kStride));
+  const std::vector<uint32_t> fine = renderer.display_picture(renderer.refine_all(1));
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      ASSERT_EQ(coarse[static_cast<size_t>(y * kSide + x)],
+                fine[static_cast<size_t>((y - y % kStride) * kSide + x - x % kStride)])
+          << x << ", " << y;
+  uint64_t value = 0;
+  while (renderer.samples() < 6) value = renderer.refine_all(6);
+  EXPECT_TRUE(same_bytes(fresh(*device, project, kSide, kSide, 6), renderer.linear_picture(value)));
+}
+
 TEST_F(RenderTest, LightsAndExposureDoNotRestart) {
   Project project = rich_project();
   Renderer renderer(*device);
@@ -176,7 +194,8 @@ TEST_F(RenderTest, TheSessionsPictureIsTheCommandLines) {
   BasisEdit edit;
   edit.gain = vec3(0.2f, 1, 1);
   project.materials.back().edits.set({0, 1}, edit);
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  for (int i = 0; i < 600 && session.status().samples < 4; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   session.set_project(std::make_shared<const Project>(project), "weight of a function");
   for (int i = 0; i < 600 && !(session.status().finished && session.status().restart_reason == "weight of a function");
        ++i)
