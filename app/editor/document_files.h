@@ -12,8 +12,8 @@
 #include "editor/widgets/file_dialog.h"
 #include "editor/widgets/notify.h"
 #include "engine/core/clock.h"
-#include "engine/core/text.h"
 #include "engine/core/jobs.h"
+#include "engine/core/text.h"
 
 namespace vamp {
 
