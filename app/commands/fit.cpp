@@ -1,6 +1,7 @@
 #include "engine/fit/fit.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -63,6 +64,18 @@ Result<fit::FitOptions> read_options(const FitText& text) {
                     : text.weights == "stagewise" ? fit::Weights::stagewise_lasso
                                                   : fit::Weights::elimination;
   return options;
+}
+
+// Why the preset could not be written, before minutes are spent on it.
+Status check_output(const fs::path& path) {
+  std::error_code code;
+  if (path.extension() == ".vamp" && fs::is_directory(path, code))
+    return fail(ErrorKind::io, path.string(), "", "a file", "a folder");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, code)) return fail(ErrorKind::io, path.string(), "", "a folder that exists", "none");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    return fail(ErrorKind::io, path.string(), "", "a place that may be written to", "no permission");
+  return {};
 }
 
 // What a designer meets: each function, what it looks like, and its share of the light of each cluster.
@@ -147,6 +160,7 @@ std::string provenance(const BtfInfo& info, const fit::FitReport& report) {
 
 Status run_fit(const FitText& text, const CommonOptions& common) {
   VAMP_TRY(const fit::FitOptions options, read_options(text));
+  VAMP_CHECK_STATUS(check_output(text.output));
   catch_interrupts();
   Progress progress;
   std::optional<Result<fit::FitResult>> result;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -33,12 +34,19 @@ bool interrupted() { return stop_asked != 0; }
 void run_with_progress(const std::string& label, Progress& progress, const std::function<void()>& work) {
   auto done = std::async(std::launch::async, work);
   const bool terminal = isatty(STDERR_FILENO) != 0;
+  size_t width = 0;
   while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
     if (interrupted()) progress.cancel();
-    if (terminal) fmt::print(stderr, "\r{} {:3.0f} %", label, 100.0 * static_cast<double>(progress.fraction()));
+    if (!terminal) continue;
+    const std::string stage = progress.stage();
+    const std::string line = fmt::format("{}{}{} {:3.0f} %", label, stage.empty() ? "" : ": ", stage,
+                                         100.0 * static_cast<double>(progress.fraction()));
+    // A shorter line leaves nothing of a longer one standing.
+    fmt::print(stderr, "\r{:{}}", line, width);
+    width = std::max(width, line.size());
   }
   // The line makes room for the result.
-  if (terminal) fmt::print(stderr, "\r{:{}}\r", "", label.size() + 8);
+  if (terminal) fmt::print(stderr, "\r{:{}}\r", "", width);
   done.get();
 }
 

@@ -1,5 +1,7 @@
 #include "engine/fit/dictionary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -156,7 +158,7 @@ std::vector<Basis> choose_dictionary(const std::vector<Basis>& candidates, const
   std::vector<Basis> dictionary;
   for (const size_t j : choose_greedily(all, options.bases, worker)) dictionary.push_back(candidates[j]);
 
-  worker.stage("Refining the functions together");
+  const double square = std::accumulate(all.squares.begin(), all.squares.end(), 0.0);
   LobeTargets targets{exemplars.pairs, exemplars.roots->data(), {}, kChannels};
   for (size_t t = 0; t < exemplars.rows.count; ++t) targets.texels.push_back(exemplars.rows.row(t));
   VariableProjection projection(targets, exemplars.limits);
@@ -164,7 +166,9 @@ std::vector<Basis> choose_dictionary(const std::vector<Basis>& candidates, const
     const Products products = products_of(dictionary, exemplars, worker);
     projection.restrict_to(supports_of(products, options.functions, worker));
     std::vector<Basis> refined = dictionary;
-    projection.improve(refined, 0, 3);
+    const double error = projection.improve(refined, 0, 3);
+    worker.stage(fmt::format("Refining the functions, {:.1f} % left", 100 * std::sqrt(error / square)));
+    worker.done(round + 1, options.rounds);
     for (size_t j = 0; j < dictionary.size(); ++j)
       if (!explodes(refined[j], *exemplars.pairs, options.guard)) dictionary[j] = refined[j];
   }

@@ -13,6 +13,7 @@
 #include "engine/fit/bake.h"
 #include "engine/fit/dictionary.h"
 #include "engine/fit/names.h"
+#include "engine/material/reflectance.h"
 
 namespace vamp::fit {
 namespace {
@@ -154,6 +155,7 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
   const double wanted = options.error > 0 ? options.error * options.error * square
                                           : fullest * (1 + options.slack) * (1 + options.slack) + 1e-12 * square;
   const std::vector<size_t> counts = counts_at(codes, price_for(codes, wanted));
+  report.errors = {std::sqrt(error_of(codes, counts) / square)};
   std::vector<TexelWeights> weights(codes.size());
   report.histogram.assign(static_cast<size_t>(options.functions) + 1, 0);
   size_t total = 0;
@@ -169,19 +171,12 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
   return weights;
 }
 
-// Mean colour of each cluster's functions: what its texels reflect of light from everywhere.
-std::vector<vec3> cluster_colours(const std::vector<TexelWeights>& weights, const Clustering& clustering) {
-  std::vector<dvec3> sums(clustering.count, dvec3(0));
-  std::vector<double> counts(clustering.count);
-  for (size_t t = 0; t < weights.size(); ++t) {
-    counts[clustering.of[t]] += 1;
-    for (size_t i = 0; i < weights[t].bases.size(); ++i) {
-      const float* w = weights[t].weights.data() + i * kChannels;
-      sums[clustering.of[t]] += dvec3(double{w[0]}, double{w[1]}, double{w[2]});
-    }
-  }
+// What each cluster's functions reflect of light from everywhere.
+std::vector<vec3> cluster_colours(const Spmm& spmm) {
+  const FitSums sums = fit_sums(spmm);
   std::vector<vec3> colours;
-  for (size_t c = 0; c < sums.size(); ++c) colours.emplace_back(sums[c] / std::max(counts[c], 1.0));
+  for (size_t c = 0; c < spmm.clusters.size(); ++c)
+    colours.emplace_back(cluster_reflectance(spmm, {}, sums, static_cast<int>(c)));
   return colours;
 }
 
@@ -243,10 +238,12 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   const size_t terms = with_residual ? static_cast<size_t>(options.terms) : 0;
   ResidualFit residual;
   if (with_residual) {
+    worker.stage(fmt::format("Sorting texels by what the functions leave, {:.1f} %", 100 * report.errors.front()));
     const Rows left = residual_coordinates(found, design, weights);
     // Clusters share a residual: from those that look alike on to those that leave alike.
     if (!options.per_cluster) fit_subspaces(left, terms, 15, worker, clustering);
     residual = fit_residual(measurement, design, weights, left, clustering, terms, worker);
+    report.errors.clear();
     for (size_t i = 0; i < terms + 2; ++i)
       report.errors.push_back(std::sqrt(std::max(residual.errors[i], 0.0) / found.square));
     stages.done("residual");
@@ -256,7 +253,7 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   result.spmm = bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms);
   for (const Basis& basis : dictionary.bases) report.filler.push_back(is_filler(basis, limits));
   name_functions(result.spmm.dictionary, limits);
-  result.spmm.clusters = name_clusters(cluster_colours(weights, clustering));
+  result.spmm.clusters = name_clusters(cluster_colours(result.spmm));
   VAMP_CHECK_STATUS(validate(result.spmm, btf.info().name));
   return result;
 }

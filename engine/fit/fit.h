@@ -20,7 +20,7 @@ struct FitOptions {
   int terms = 4;             // of the residual, 0 to 4; -1 leaves the residual out
   int bases = 32;            // of the dictionary; per cluster where `per_cluster`
   double error = 0;          // relative RMSE that the functions may leave: as few as reach it; 0: see `slack`
-  double slack = 0.02;       // without `error`: of the error with all functions, what fewer may cost more
+  double slack = 0.05;       // without `error`: of the error with all functions, what fewer may cost more
   bool per_cluster = false;  // each cluster a dictionary of its own, as in the paper
   Weights weights = Weights::elimination;
   uint64_t seed = 1;

@@ -14,6 +14,10 @@ void Worker::stage(const std::string& label) const {
   progress->fraction(0);
 }
 
+void Worker::done(int part, int of) const {
+  if (progress != nullptr) progress->fraction(static_cast<float>(part) / static_cast<float>(of));
+}
+
 void Worker::each(size_t count, const std::function<void(size_t)>& work) const {
   std::atomic<size_t> next{0};
   std::exception_ptr failure;

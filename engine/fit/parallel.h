@@ -16,6 +16,8 @@ struct Worker {
 
   bool cancelled() const { return progress != nullptr && progress->cancelled(); }
   void stage(const std::string& label) const;
+  // How much of the stage is done, of work that does not run in each().
+  void done(int part, int of) const;
 
   // work(i) for i = 0 .. count - 1, in any order on any thread; each i writes only what is its own. After a cancel the
   // rest is left out. The progress's fraction runs from 0 to 1.

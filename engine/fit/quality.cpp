@@ -13,6 +13,7 @@
 #include "engine/core/jobs.h"
 #include "engine/fit/pictures.h"
 #include "engine/fit/represent.h"
+#include "engine/fit/simple.h"
 
 namespace vamp::fit {
 namespace {
@@ -35,10 +36,16 @@ double degrees(vec3 w) { return std::acos(std::clamp(double{w.z}, -1.0, 1.0)) * 
 // The representations of one texel in their order, each built on the one before: functions, mean, terms; SVD ranks.
 class Stack {
  public:
-  Stack(const SpmmValues& spmm, const Rows& directions, const Rows& coordinates, std::vector<size_t> ranks)
-      : spmm_(spmm), directions_(directions), coordinates_(coordinates), ranks_(std::move(ranks)) {}
+  Stack(const SpmmValues& spmm, const Rows& directions, const Rows& coordinates, std::vector<size_t> ranks,
+        const SimpleModels& simple, const Pairs& pairs)
+      : spmm_(spmm),
+        directions_(directions),
+        coordinates_(coordinates),
+        ranks_(std::move(ranks)),
+        simple_(simple),
+        simple_columns_(simple.columns_at(pairs)) {}
 
-  size_t count() const { return static_cast<size_t>(spmm_.terms() + 2) + ranks_.size(); }
+  size_t count() const { return static_cast<size_t>(spmm_.terms() + 2) + ranks_.size() + 2; }
 
   // see(index, values) for every representation.
   template <class See>
@@ -58,6 +65,10 @@ class Stack {
       done = rank;
       see(index++, row);
     }
+    simple_.blinn_phong(texel, simple_columns_, row.data());
+    see(index++, row);
+    simple_.srf(texel, simple_columns_, row.data());
+    see(index++, row);
   }
 
  private:
@@ -65,6 +76,8 @@ class Stack {
   const Rows& directions_;
   const Rows& coordinates_;
   std::vector<size_t> ranks_;
+  const SimpleModels& simple_;
+  Rows simple_columns_;
 };
 
 // The truncated SVD under the material's directions, its rows without their roots, read at the pairs of `at`.
@@ -142,7 +155,8 @@ Result<Quality> measure_quality(const Spmm& spmm, const Btf& btf, const Btf* aga
 
   VAMP_TRY(const SpmmValues model, SpmmValues::make(spmm, pairs));
   VAMP_TRY(const Rows directions, resampled_directions(svd, source, pairs));
-  const Stack stack(model, directions, svd.coordinates, ranks);
+  const SimpleModels simple(source, worker);
+  const Stack stack(model, directions, svd.coordinates, ranks, simple, pairs);
   Pictures pictures(pairs, static_cast<int>(truth.info().width), static_cast<int>(truth.info().height), stack.count());
 
   worker.stage("Comparing");
@@ -218,10 +232,14 @@ Result<Quality> measure_quality(const Spmm& spmm, const Btf& btf, const Btf* aga
       r.bytes = without_residual;
       if (terms >= 0)
         r.bytes += a_table * static_cast<uint64_t>(terms + 1) + spmm.texels.size() * 2 * static_cast<uint64_t>(terms);
+    } else if (const size_t other = i - static_cast<size_t>(model.terms() + 2); other < ranks.size()) {
+      r.name = fmt::format("svd rank {}", ranks[other]);
+      r.bytes = each_rank * ranks[other];
     } else {
-      const size_t rank = ranks[i - static_cast<size_t>(model.terms() + 2)];
-      r.name = fmt::format("svd rank {}", rank);
-      r.bytes = each_rank * rank;
+      // Halves: two colours and an exponent, or three shapes.
+      const bool srf = other > ranks.size();
+      r.name = srf ? "srf" : "blinn-phong";
+      r.bytes = spmm.texels.size() * (srf ? 18 : 14);
     }
     const PairErrors& errors = sums[0][i];
     r.uniform = relative(errors, [](size_t) { return 1.0; });

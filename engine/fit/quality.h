@@ -17,7 +17,7 @@ struct QualityOptions {
 
 // Relative RMSE: |data - model| / |data|, models clamped at 0.
 struct Representation {
-  std::string name;  // "functions", "mean", "1 term", "svd rank 8"
+  std::string name;  // "functions", "with mean", "with 1 term", "svd rank 8", "srf"
   uint64_t bytes = 0;
   double weighted = 0;                   // as the fit weighs pairs
   double uniform = 0;                    // all pairs the same
