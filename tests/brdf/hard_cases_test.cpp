@@ -132,6 +132,35 @@ TEST(HardCase10, Exponents1e5And2e5AreExactAtSeveralHalfWidths) {
   }
 }
 
+// A kernel turns light and viewer into the frame of a tilted function in float: a sharp highlight then has as many
+// digits as its conditioning leaves, n tan(theta_h) roundings.
+TEST(HardCase11, SharpHighlightsInTurnedFramesKeepTheirDigits) {
+  const Lobe l = lobe(Model::blinn_phong, kBlinnPhongNormalized, {1, 1e5f});
+  Directions random(11);
+  for (int i = 0; i < 20000; ++i) {
+    // The frame about n whose tangent is the shortest-arc rotation of x, from the same stored floats for both.
+    const vec3 n = rounded(random.grazing(0.2, 1));
+    const auto local = [n](auto w) {
+      using Vec = decltype(w);
+      using T = typename Vec::value_type;
+      const T x = n.x, y = n.y, z = std::sqrt(1 - x * x - y * y), a = -1 / (1 + z), b = x * y * a;
+      return Vec(glm::dot(Vec(1 + x * x * a, b, -x), w), glm::dot(Vec(b, 1 + y * y * a, -y), w),
+                 glm::dot(Vec(x, y, z), w));
+    };
+    const dvec3 about(n);
+    const dvec3 half = glm::normalize(about + 0.01 * random.uniform() * random.hemisphere());
+    const dvec3 wo = glm::normalize(about + 0.8 * random.hemisphere()), wi = 2 * glm::dot(half, wo) * half - wo;
+    const vec3 wi_f = rounded(wi), wo_f = rounded(wo);
+    const dvec3 i64 = local(dvec3(wi_f)), o64 = local(dvec3(wo_f));
+    if (i64.z < 0.1 || o64.z < 0.1) continue;
+    const double truth = brdf_f64::eval(l, i64, o64);
+    const dvec3 s = i64 + o64;
+    const double tangent = std::sqrt(s.x * s.x + s.y * s.y) / s.z;
+    if (truth < 1) continue;
+    EXPECT_LE(relative(brdf_f32::eval(l, local(wi_f), local(wo_f)), truth), 1e-5 + 4e-7 * 1e5 * tangent);
+  }
+}
+
 TEST(HardCase12, SharpestBeckmannPeakAndTail) {
   const Lobe l = lobe(Model::cook_torrance, kCookTorranceModernSchlick, {1, 0.005f, 0.5f});
   for (double slope : {0.0, 0.005, 0.015, 0.03, 0.2}) {
@@ -302,6 +331,22 @@ TEST(HardCase44, ExtremeDrawsGiveFiniteDirections) {
             EXPECT_GT(s.pdf, 0) << name_of(l) << " " << u0 << " " << u1;
           }
         }
+      }
+    }
+  }
+}
+
+// Where the density underflows, a draw is no sample rather than one of infinite weight.
+TEST(HardCase45, DensitiesThatUnderflowGiveNoInfiniteWeights) {
+  for (const Lobe& l : {lobe(Model::lafortune, kLafortuneNormalized, {1, -1, -1, 1, 20000}),
+                        lobe(Model::lafortune, kLafortuneRaw, {1, -2, 0.1f, 2, 5000}),
+                        lobe(Model::ward, kWardDuer, {1, 0.005f, 0.005f}),
+                        lobe(Model::ashikhmin_shirley, kAshikhminShirleyFull, {0, 0, 1e5f, 1e5f})}) {
+    for (float u1 : {0.0f, 0.5f, 0.999999f, 1 - 0x1p-24f}) {
+      for (float z : {1e-7f, 1e-3f, 0.5f, 1.0f}) {
+        const LobeSample s = sample_lobe(l, vec3(std::sqrt(1 - z * z), 0, z), 0.37f, u1);
+        EXPECT_TRUE(std::isfinite(s.weight) && std::isfinite(s.pdf)) << name_of(l) << " " << u1 << " " << z;
+        EXPECT_TRUE(!s.valid || s.pdf > 0) << name_of(l);
       }
     }
   }
