@@ -68,6 +68,16 @@ TEST_F(Library, NeverChangesWhatWasShipped) {
   EXPECT_EQ(read_text(shipped_ / "calf.vamp", 1 << 20).value(), before);
 }
 
+TEST_F(Library, DuplicatesAnyPresetAmongTheUsersOwn) {
+  PresetLibrary library = open();
+  const auto copy = library.duplicate(shipped_ / "calf.vamp");
+  ASSERT_TRUE(copy) << copy.error().message();
+  EXPECT_EQ(copy->parent_path(), library.own_folder());
+  EXPECT_EQ(load_preset(*copy).value().name, "Calf copy");
+  EXPECT_EQ(names(library), (std::vector<std::string>{"Calf copy", "Calf"}));
+  EXPECT_FALSE(library.duplicate(shipped_ / "none.vamp"));
+}
+
 TEST_F(Library, RenamesWithoutMovingTheFile) {
   PresetLibrary library = open();
   const fs::path path = library.save_new(small_preset("Twill")).value();

@@ -1,8 +1,10 @@
 // What a hand does in a panel becomes one named step of the document.
 #include "editor/model/edits_material.h"
+#include "editor/model/edits_scene.h"
 #include "editor/panels/apply_edit.h"
 #include "editor/panels/fit_figures.h"
 #include "editor/panels/lengths.h"
+#include "editor/panels/part_menu.h"
 #include "tests/panels/panel_test.h"
 
 namespace vamp::ui {
@@ -197,6 +199,44 @@ TEST(Coordinates, ReachAsFarAsTheyMustAndMapBothWays) {
   const Parameter length = length_row(project, "Radius", "Half the width", 1e-9f, 50);
   EXPECT_GT(length.low, 0);
   EXPECT_LT(length.low, length.high);
+}
+
+class PartMenu : public PanelTest {
+ protected:
+  int part(const char* name) const { return find_part(*document_.project(), name); }
+  int material_of(const char* name) const {
+    return document_.project()->parts[static_cast<size_t>(part(name))].material;
+  }
+};
+
+TEST_F(PartMenu, ACopiedMaterialIsSharedByThePartsThatGetIt) {
+  EXPECT_FALSE(can_paste_material(context_));
+  copy_material(context_, part("Vamp"));
+  ASSERT_NE(material_of("Laces"), material_of("Vamp"));
+  paste_material_onto(context_, part("Laces"));
+  EXPECT_EQ(material_of("Laces"), material_of("Vamp"));
+  document_.undo();
+  EXPECT_NE(material_of("Laces"), material_of("Vamp"));
+}
+
+TEST_F(PartMenu, WhatWasCopiedBeforeAnEditIsPastedAsItWas) {
+  copy_material(context_, part("Vamp"));
+  document_.edit(set_gain(*document_.project(), rows_of_material(*document_.project(), material_of("Vamp")), vec3(2)));
+  paste_material_onto(context_, part("Laces"));
+  ASSERT_NE(material_of("Laces"), material_of("Vamp"));
+  const auto& materials = document_.project()->materials;
+  EXPECT_TRUE(materials[static_cast<size_t>(material_of("Laces"))].edits.bases.empty());
+  EXPECT_FALSE(materials[static_cast<size_t>(material_of("Vamp"))].edits.bases.empty());
+  EXPECT_NE(materials[static_cast<size_t>(material_of("Laces"))].name,
+            materials[static_cast<size_t>(material_of("Vamp"))].name);
+}
+
+TEST_F(PartMenu, HidingTheOthersIsOneStep) {
+  document_.edit(show_only(*document_.project(), part("Laces")));
+  for (const PartState& state : document_.project()->parts) EXPECT_EQ(state.visible, state.name == "Laces");
+  EXPECT_EQ(document_.step_names().size(), 1u);
+  document_.edit(show_only(*document_.project(), -1));
+  for (const PartState& state : document_.project()->parts) EXPECT_TRUE(state.visible);
 }
 
 }  // namespace

@@ -159,6 +159,19 @@ TEST_F(Viewport, TheWheelZoomsToTheMouse) {
   EXPECT_LT(glm::length(at_mouse() - before), 1e-4f * distance);
 }
 
+TEST_F(Viewport, ARightClickSelectsThePartAndOpensItsMenu) {
+  drag(1, 100, 200, 0, 0);
+  EXPECT_EQ(selection_.part, find_part(*document_.project(), "Vamp"));
+  EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+  tap(256);
+  // A drag with the same button turns the view and opens nothing.
+  selection_ = {};
+  const Camera before = camera();
+  drag(1, 100, 200, 40, 0);
+  EXPECT_NE(camera().eye, before.eye);
+  EXPECT_EQ(selection_.part, -1);
+}
+
 TEST_F(Viewport, ArrowKeysTurn) {
   click(300, 200);
   const Camera before = camera();
