@@ -15,7 +15,7 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
     return vec3(direction_of({theta * kDegree, phi * kDegree}));
   };
   // The lights of the two pictures, then those that fill the shadows.
-  std::vector<vec3> lights = {towards(30, 230), towards(55, 230)};
+  std::vector<vec3> lights = {towards(30, 230), towards(65, 230)};
   const DirectionSet all = ubo81();
   for (size_t i = 0; i < all.size(); i += 4) lights.emplace_back(all[i]);
   constexpr float kFill = 0.25f;

@@ -40,15 +40,15 @@ Made wool_twill() {
 Made denim() {
   auto cloth = std::make_unique<Weave>();
   cloth->name = "denim";
-  cloth->ends = 24;
-  cloth->picks = 16;
+  cloth->ends = 28;
+  cloth->picks = 20;
   cloth->over = 3;
   cloth->under = 1;
   cloth->warp = vec3(0.025f, 0.05f, 0.145f);
-  cloth->weft = vec3(0.56f, 0.55f, 0.51f);
+  cloth->weft = vec3(0.45f, 0.44f, 0.41f);
   cloth->second = vec3(0.20f, 0.27f, 0.42f);
-  cloth->blend = 0.45f;
-  cloth->crimp = 0.62f;
+  cloth->blend = 0.3f;
+  cloth->crimp = 0.68f;
   cloth->slub = 0.13f;
   cloth->turns = 1.1f;
   cloth->hairs = 2.5f;
@@ -102,7 +102,7 @@ Made patent() {
   auto leather = std::make_unique<Leather>();
   leather->name = "patent";
   leather->plates = 5;
-  leather->plate_height = 0.02f;
+  leather->plate_height = 0.012f;
   leather->crease_width = 1;
   leather->wrinkles = 0;
   leather->pores = 0;
@@ -117,10 +117,11 @@ Made patent() {
 Made nubuck() {
   auto nap = std::make_unique<Suede>();
   nap->name = "nubuck";
-  nap->density = 320;
+  nap->density = 380;
   nap->length = 0.11f;
   nap->radius = 0.02f;
-  nap->lean = 0.7f;
+  nap->lean = 0.93f;
+  nap->relief = 0.6f;
   nap->ruffle = 0.8f;
   nap->ground = 0.035f;
   nap->colour = vec3(0.52f, 0.36f, 0.185f);
