@@ -120,7 +120,7 @@ Status sample(const Options& options, const CommonOptions& common) {
 
 void add_brdf_sample(CLI::App& brdf, CommonOptions& common, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb = brdf.add_subcommand("sample", "Draw lights for a viewer as the renderer's sampler does");
+  CLI::App* verb = brdf.add_subcommand("sample", "Draw lights for a viewer as the model's sampler does");
   add_lobe_words(*verb, options->lobe, false);
   verb->add_option("--theta", options->theta, "The viewer's angle from the normal")
       ->type_name("DEGREES")
