@@ -21,7 +21,7 @@ std::string grouped(uint64_t number) {
 
 std::string bytes_text(uint64_t bytes) {
   if (bytes < 10'000) return grouped(bytes) + " bytes";
-  if (bytes < 10'000'000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) * 1e-3);
+  if (bytes < 1'000'000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) * 1e-3);
   return fmt::format("{:.1f} MB", static_cast<double>(bytes) * 1e-6);
 }
 
@@ -112,7 +112,7 @@ std::vector<ui::StatusItem> Editor::status_right() const {
   if (selection_.part >= 0 && selection_.material >= 0) {
     const Spmm& fit = *project().materials[static_cast<size_t>(selection_.material)].fit;
     const double scale = static_cast<double>(project().parts[static_cast<size_t>(selection_.part)].texture_scale);
-    items.push_back({fmt::format("Texture {:.3g} × {:.3g} mm", static_cast<double>(fit.size_mm().x) * scale,
+    items.push_back({fmt::format("Texture {:.4g} × {:.4g} mm", static_cast<double>(fit.size_mm().x) * scale,
                                  static_cast<double>(fit.size_mm().y) * scale),
                      0, "What the selected part's texture measures before it repeats"});
   }

@@ -51,6 +51,7 @@ class MaterialReader {
     VAMP_CHECK_STATUS(slot(pbr_json, "baseColorTexture", ColourSpace::srgb, m.base_color_texture));
     VAMP_CHECK_STATUS(slot(pbr_json, "metallicRoughnessTexture", ColourSpace::linear, m.metallic_roughness_texture));
     VAMP_CHECK_STATUS(slot(json, "normalTexture", ColourSpace::linear, m.normal_texture));
+    if (m.normal_texture.texture >= 0) say_(fmt::format("material \"{}\": its normal map is left out", m.name));
     read_extensions(json, m);
     VAMP_CHECK_STATUS(json.status());
     return m;

@@ -367,6 +367,24 @@ TEST(GltfImport, ExtensionsOfMaterialsAreReadOrNoted) {
   EXPECT_THAT(s->notes, Contains(HasSubstr("KHR_materials_sheen is left out")));
 }
 
+TEST(GltfImport, WhatIsReadButNotShownIsNoted) {
+  const test::TempFolder folder;
+  GlbBuilder b;
+  b.add(plane(1, 1), b.material("lamp"));
+  Json& material = b.json()["materials"][0];
+  material["emissiveFactor"] = {1, 0.5, 0};
+  material["alphaMode"] = "BLEND";
+  material["normalTexture"] = {{"index", 0}};
+  b.json()["textures"] = Json::array({Json{{"source", 0}}});
+  b.json()["images"] = Json::array({Json{{"uri", "bumps.png"}}});
+  ASSERT_TRUE(save_png(folder / "bumps.png", Image(2, 2, {"R", "G", "B"})));
+  b.write(folder / "lamp.glb");
+  const auto scene = load_scene(folder / "lamp.glb");
+  ASSERT_TRUE(scene) << scene.error().message();
+  for (const char* what : {"emission", "blended alpha", "normal map"})
+    EXPECT_THAT((*scene)->notes, Contains(HasSubstr(what))) << what;
+}
+
 TEST(GltfImport, ACancelledLoadIsInterrupted) {
   const test::TempFolder folder;
   GlbBuilder b;
