@@ -208,16 +208,20 @@ Status acquire_verb(const AcquireText& text, const CommonOptions& common) {
     json["bytes"] = bytes;
     json["paths"] = report->paths;
     json["resumed_rows"] = report->resumed_rows;
-    json["relative_standard_error"] = {
-        {"median", report->median_error}, {"mean", report->mean_error}, {"worst", report->worst_error}};
+    // One sample leaves nothing to tell it from.
+    json["relative_standard_error"] = nullptr;
+    if (samples > 1)
+      json["relative_standard_error"] = {
+          {"median", report->median_error}, {"mean", report->mean_error}, {"worst", report->worst_error}};
     json["seconds"] = seconds.count();
     json["cpu_seconds"] = cpu_seconds();
     fmt::print("{}", print_json(json));
   } else {
     fmt::print("{}: {} x {} texels, {}, {} samples, synthetic; {} facets, {:.1f} s ({:.1f} s of CPU)\n", text.output,
                options.size, options.size, text.directions, options.samples, facets, seconds.count(), cpu_seconds());
-    fmt::print("relative standard error of a texel: median {:.2f} %, mean {:.2f} %, worst {:.2f} %\n",
-               100 * report->median_error, 100 * report->mean_error, 100 * report->worst_error);
+    if (samples > 1)
+      fmt::print("relative standard error of a texel: median {:.2f} %, mean {:.2f} %, worst {:.2f} %\n",
+                 100 * report->median_error, 100 * report->mean_error, 100 * report->worst_error);
   }
   return {};
 }

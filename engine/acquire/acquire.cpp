@@ -137,7 +137,7 @@ Result<Report> measure(Mesostructure structure, const Options& options, const fs
 
   progress.stage("shadows");
   const std::vector<vec3> directions = directions_of(options.directions);
-  const Goniometer goniometer(std::move(structure), directions, options.shadows, options.threads);
+  const Goniometer goniometer(std::move(structure), directions, options.shadows, options.threads, &progress);
   progress.stage("measuring");
 
   std::mutex mutex;

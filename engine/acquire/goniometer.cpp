@@ -8,6 +8,7 @@
 #include "engine/acquire/parallel.h"
 #include "engine/brdf/kernel.h"
 #include "engine/core/check.h"
+#include "engine/core/progress.h"
 
 namespace vamp::acquire {
 namespace {
@@ -53,16 +54,17 @@ struct Goniometer::Vertex {
   bool has_coat;
 };
 
-Goniometer::Goniometer(Mesostructure structure, std::vector<vec3> lights, Shadows shadows, int threads)
+Goniometer::Goniometer(Mesostructure structure, std::vector<vec3> lights, Shadows shadows, int threads,
+                       const Progress* progress)
     : grid_(std::move(structure.facets)), matters_(std::move(structure.matters)), lights_(std::move(lights)) {
   CHECK(lights_.size() <= kMaxLights);
   for (const Matter& matter : matters_)
     coat_albedo_.push_back(lobe_albedo(matter.coat, 0.7f) * mean(matter.coat_colour));
-  if (shadows == Shadows::tabulated) tabulate_shadows(threads);
+  if (shadows == Shadows::tabulated) tabulate_shadows(threads, progress);
   find_reference_height();
 }
 
-void Goniometer::tabulate_shadows(int threads) {
+void Goniometer::tabulate_shadows(int threads, const Progress* progress) {
   const std::vector<Facet>& facets = grid_.facets();
   lit_.assign(facets.size(), {});
   constexpr size_t kBlock = 4096;
@@ -70,7 +72,7 @@ void Goniometer::tabulate_shadows(int threads) {
   parallel(threads, blocks, [&](int block) {
     const size_t first = static_cast<size_t>(block) * kBlock;
     for (size_t i = first; i < std::min(first + kBlock, facets.size()); ++i) tabulate_facet(static_cast<uint32_t>(i));
-    return true;
+    return progress == nullptr || !progress->cancelled();
   });
 }
 

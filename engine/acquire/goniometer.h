@@ -8,6 +8,10 @@
 #include "engine/acquire/facet_grid.h"
 #include "engine/acquire/random.h"
 
+namespace vamp {
+class Progress;
+}
+
 namespace vamp::acquire {
 
 enum class Shadows {
@@ -19,8 +23,10 @@ class Goniometer {
  public:
   static constexpr size_t kMaxLights = 192;
 
-  // Directions towards the lights are unit vectors above the plane. `threads` (0: one per core) work on the table.
-  Goniometer(Mesostructure structure, std::vector<vec3> lights, Shadows shadows, int threads);
+  // Directions towards the lights are unit vectors above the plane. `threads` (0: one per core) work on the table; when
+  // `progress` is cancelled meanwhile, it stays unfinished and the goniometer is of no use.
+  Goniometer(Mesostructure structure, std::vector<vec3> lights, Shadows shadows, int threads,
+             const Progress* progress = nullptr);
 
   size_t light_count() const { return lights_.size(); }
   // Height of the plane that texels lie on, in periods: the mean of what is seen from above.
@@ -44,7 +50,7 @@ class Goniometer {
   void gather_lights(const Vertex& vertex, vec3 throughput, std::span<float> radiance) const;
   bool scatter(const Vertex& vertex, Random& random, vec3& throughput, vec3& direction) const;
   bool is_lit(const Vertex& vertex, size_t light) const;
-  void tabulate_shadows(int threads);
+  void tabulate_shadows(int threads, const Progress* progress);
   void tabulate_facet(uint32_t index);
   void find_reference_height();
 

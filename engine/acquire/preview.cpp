@@ -20,7 +20,7 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
   for (size_t i = 0; i < all.size(); i += 4) lights.emplace_back(all[i]);
   constexpr float kFill = 0.25f;
   const vec3 views[2] = {towards(0, 0), towards(45, 50)};
-  const Goniometer goniometer(structure, lights, Shadows::tabulated, threads);
+  const Goniometer goniometer(structure, lights, Shadows::tabulated, threads, &progress);
 
   Image image(2 * side, side, {"R", "G", "B"});
   parallel(threads, side, [&](int y) {
