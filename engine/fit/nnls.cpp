@@ -132,15 +132,4 @@ void Nnls::elimination_costs(std::vector<double>& costs) const {
   }
 }
 
-double squared_error(const double* gram, size_t p, const double* target, double square, const double* a) {
-  double error = square;
-  for (size_t i = 0; i < p; ++i) {
-    if (a[i] == 0) continue;
-    double sum = 0;
-    for (size_t j = 0; j < p; ++j) sum += gram[i * p + j] * a[j];
-    error += a[i] * (sum - 2 * target[i]);
-  }
-  return std::max(error, 0.0);
-}
-
 }  // namespace vamp::fit

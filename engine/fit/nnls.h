@@ -40,7 +40,4 @@ class Nnls {
   std::vector<double> solution_;  // of the passive columns
 };
 
-// |y - X a|^2 from the Gram matrix over the columns with a != 0.
-double squared_error(const double* gram, size_t p, const double* target, double square, const double* a);
-
 }  // namespace vamp::fit
