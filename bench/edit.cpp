@@ -64,8 +64,11 @@ class Bench {
 
  private:
   template <class Done>
-  static void wait(const Done& done) {
-    while (!done()) std::this_thread::sleep_for(std::chrono::microseconds(300));
+  void wait(const Done& done) {
+    while (!done()) {
+      CHECK(session_.status().error.empty());
+      std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
   }
 
   Project project_;
@@ -97,10 +100,12 @@ int run(const std::string& scene, uint32_t samples, int rounds) {
   };
   fmt::print("{} x {}, {} triangles, {}\n", kWidth, kHeight, project.scene->triangles.size(), (*device)->info().name);
   Bench bench(project, **device, samples);
-  bench.measure("normal of all functions of a cluster", rounds, [&](Project& p, int round) { tilt(p, round, 1, 2); });
+  bench.measure("normal of all functions of a cluster", rounds,
+                [&](Project& p, int round) { tilt(p, round, clusters / 2, clusters / 2 + 1); });
   bench.measure("normal of all functions of a material", rounds,
                 [&](Project& p, int round) { tilt(p, round, 0, clusters); });
-  bench.measure("power of a light", rounds, [&](Project& p, int) { p.lights[0].power *= 1.1f; });
+  if (!project.lights.empty())
+    bench.measure("power of a light", rounds, [&](Project& p, int) { p.lights[0].power *= 1.1f; });
   bench.measure("everything again (another seed)", std::max(rounds / 4, 1),
                 [&](Project& p, int) { ++p.settings.seed; });
   return 0;

@@ -22,7 +22,6 @@ struct Bvh {
   uint32_t depth = 0;  // of inner nodes, at most BVH_STACK_SIZE - 1
   Bounds bounds;
 
-  size_t inner_count() const { return nodes.size() / 2; }
   size_t list_end() const { return nodes.size(); }  // where the list's ends begin
   size_t triangle_count() const { return order.size(); }
 };

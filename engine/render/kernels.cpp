@@ -43,6 +43,7 @@ KernelKey reduced(Pass pass, const KernelKey& key) {
   KernelKey r = key;
   const KernelKey none;
   if (pass != Pass::trace) r.new_hit = none.new_hit;
+  if (pass == Pass::shade) r.alpha_mask = none.alpha_mask;
   if (pass == Pass::trace) {
     r.residual = none.residual;
     r.lobe_models = none.lobe_models;

@@ -11,6 +11,8 @@ namespace vamp {
 class NoiseEstimate {
  public:
   void restart();
+  // The pictures to come are of something else, but about as noisy.
+  void forget_picture() { luminance_.clear(); }
   // Whether a picture of this many samples is wanted (powers of two from 4).
   bool wants(uint32_t samples) const;
   // `linear`: RGBA, the same size each time.

@@ -18,7 +18,7 @@ static_assert(kMaxLights == MAX_LIGHTS);
 constexpr float kUnbounded = 3.0e38f;
 constexpr uint32_t kAovLayers = 3;
 
-// Lapped into the shade kernel's registers: with more shadow rays a batch of four would spill.
+// With more shadow rays a batch of four would spill the kernels' registers, and walk more than lavapipe lets a kernel.
 constexpr uint32_t kMaxRaysOfBatch = 16;
 
 std::vector<Region> tiles_from_the_middle(int width, int height) {
@@ -98,9 +98,9 @@ void Renderer::make_picture() {
   const uint64_t vertices = key_.mirror ? 2 : 1;
   const uint64_t words = (SAMPLES_PER_HIT * key_.ray_count() + 31) / 32;
   const uint64_t hit_bytes = pixels * vertices * (1 + words) * sizeof(uint32_t);
-  const uint64_t wanted = (project_->settings.max_samples + uint64_t{SAMPLES_PER_HIT} - 1) / SAMPLES_PER_HIT;
+  const uint64_t fits = device_->info().max_texel_elements / (pixels * vertices * words);
   // One more place for what is not kept.
-  history_ = 1 + static_cast<uint32_t>(std::min(history_bytes_ / hit_bytes, wanted));
+  history_ = 1 + static_cast<uint32_t>(std::min(history_bytes_ / hit_bytes, std::max<uint64_t>(fits, 1) - 1));
   table(hits_, hits_view_, "hits", pixels * vertices * history_, VK_FORMAT_R32_UINT);
   table(visibility_, visibility_view_, "visibility", pixels * vertices * words * history_, VK_FORMAT_R32_UINT);
   table(seen_, seen_view_, "seen clusters", 2 * pixels, VK_FORMAT_R32_UINT);
@@ -187,6 +187,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
       restart("geometry");
     else
       reshade(~0u, "material assigned");
+    change.places_moved = true;
   } else {
     // The common edit: some rows of 48 or 16 bytes.
     for (size_t i = 0; i < now.materials.size(); ++i) {
@@ -222,7 +223,10 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
       if (std::memcmp(&rows[i], &part_rows_[i], sizeof(rows[i])) == 0) continue;
       part_rows_[i] = rows[i];
       change.bytes += device_->upload_rows<frame::PartRow>(gpu_.parts.rows, i, std::span(&rows[i], 1));
-      reshade(seen_bits(now, static_cast<size_t>(now.parts[i].material)), "texture of a part");
+      change.places_moved = true;
+      // Before and after: the texture may be of another material now.
+      if (now.parts[i].visible)
+        reshade(seen_bits(now, static_cast<size_t>(now.parts[i].material)), "texture of a part");
     }
   }
   if (!project_ || now.environment.map != project_->environment.map) {
@@ -258,7 +262,8 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   key.four_taps = now.settings.tap == TexelTap::four;
   key.pixel_centres = now.settings.pixel_centres;
   const bool new_picture = key.planes() != key_.planes() || key.mirror != key_.mirror || !hits_;
-  // Kernels that differ in how they shade give the same bits where they agree on what to shade.
+  // Kernels that are specialised for other ways of shading may round differently, so all pixels go through the same
+  // one.
   KernelKey same_rays = key;
   same_rays.residual = key_.residual;
   same_rays.lobe_models = key_.lobe_models;
@@ -310,7 +315,6 @@ uint64_t Renderer::send_frame() {
   p.seed = now.settings.seed;
   p.ao_radius = now.settings.ao_radius > 0 ? now.settings.ao_radius : kUnbounded;
   p.offset_scale = now.scene->bounds.radius() * 1e-6f;
-  p.part_count = static_cast<uint32_t>(now.parts.size());
   p.grid_origin = scene_tables_->bvh.grid_origin;
   p.grid_scale = scene_tables_->bvh.grid_scale;
   p.picture_width = static_cast<uint32_t>(picture_width_);

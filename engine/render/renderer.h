@@ -24,11 +24,12 @@ struct Region {
 
 // What taking over a project came to.
 struct Change {
-  bool restarted = false;   // the accumulators start again
-  uint64_t reshaded = 0;    // else so many pixels are shaded again from what was traced; see replay()
-  bool recomposed = false;  // only what is linear in them, or the display, changed
-  std::string what;         // "camera", "light moved", "material edited": the first reason
-  uint64_t bytes = 0;       // sent to the device
+  bool restarted = false;     // the accumulators start again
+  uint64_t reshaded = 0;      // else so many pixels are shaded again from what was traced; see replay()
+  bool recomposed = false;    // only what is linear in them, or the display, changed
+  bool places_moved = false;  // what a pixel shows may lie in another cluster or part now
+  std::string what;           // "camera", "light moved", "material edited": the first reason
+  uint64_t bytes = 0;         // sent to the device
 };
 
 class Renderer {
@@ -61,7 +62,8 @@ class Renderer {
   // Refines a tile by its next batch up to `limit` samples; returns the timeline value. One submit of trace and shade.
   uint64_t refine(int tile, uint32_t limit);
 
-  // A coarse first look after a restart: one pixel of each block of stride x stride, shown as a block. Counts for nothing.
+  // A coarse first look after a restart: one pixel of each block of stride x stride, shown as a block. Counts for
+  // nothing.
   uint64_t preview(uint32_t stride);
 
   // The whole region in one submit, for work that nobody watches; all tiles must stand at the same number of samples.

@@ -19,7 +19,7 @@
 namespace vamp {
 namespace {
 
-// What edits may be answered from; at 640 x 480 about 250 samples (see Renderer::set_history).
+// What edits may be answered from; at 640 x 480 some 270 samples (see Renderer::set_history).
 constexpr uint64_t kHistoryBytes = 160u << 20;
 
 // So many pixels are shaded again before a newer edit is looked for: some 10 ms on two cores of lavapipe.
@@ -146,7 +146,7 @@ class RenderSession::Impl {
     readers_.fetch_sub(1);
     width = renderer_.region().width;
     height = renderer_.region().height;
-    samples = renderer_.samples();
+    samples = renderer_.replayed_samples();
     if (width == 0) return {};
     return renderer_.linear_picture(device_.last_submitted());
   }
@@ -184,22 +184,27 @@ class RenderSession::Impl {
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [&] {
-        return stop_ || lose_device_ || next_project_ || next_size_ || (!paused_ && !finished_ && !refused_);
+        return stop_ || lose_device_ || next_project_ || next_size_ ||
+               (!refused_ && (paused_ ? busy_.load() : !finished_.load()));
       });
       if (stop_) return false;
       if (lose_device_) throw MachineError(ErrorKind::device_lost, "the device was lost on request");
-      project = std::exchange(next_project_, nullptr);
+      // A drag sends edits faster than a large material is shaded: each of them gets its first whole picture.
+      const bool hold = owes_picture_ && renderer_.replaying() && !next_size_;
+      if (!hold) project = std::exchange(next_project_, nullptr);
       size = std::exchange(next_size_, std::nullopt);
-      reason = std::exchange(next_reason_, "");
+      if (!hold) reason = std::exchange(next_reason_, "");
     }
     while (readers_.load() > 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
     const std::lock_guard lock(renderer_mutex_);
     if (project) take_project(std::move(project), reason);
     if (size) take_size(*size);
+    busy_ = wants_preview_ || renderer_.replaying();
     if (refused_ || renderer_.region().width == 0) return true;
     {
+      // What is paused is refinement; an edit is shown.
       const std::lock_guard state(mutex_);
-      if (paused_) return true;
+      if (paused_ && !renderer_.replaying() && !wants_preview_) return true;
     }
     if (std::exchange(wants_preview_, false))
       show_all(renderer_.preview(preview_stride()));
@@ -207,6 +212,7 @@ class RenderSession::Impl {
       shade_again();
     else
       refine_tile();
+    busy_ = renderer_.replaying();
     return true;
   }
 
@@ -224,13 +230,14 @@ class RenderSession::Impl {
       const std::lock_guard lock(picture_mutex_);
       drawn_ = {project, renderer_.scene_tables(), renderer_.part_rows()};
     }
-    if (change->restarted) restart(reason.empty() ? change->what : reason, change->what != "material edited");
+    if (change->restarted) restart(reason.empty() ? change->what : reason);
     if (change->reshaded > 0) begin_shading_again(reason.empty() ? change->what : reason, *change);
-    if (change->recomposed && renderer_.region().width > 0 && renderer_.samples() > 0) {
+    if (change->recomposed && renderer_.region().width > 0) {
       noise_.restart();
       show_all(renderer_.recompose());
     }
-    finished_ = renderer_.region().width > 0 && renderer_.replayed_samples() >= project->settings.max_samples;
+    finished_ =
+        renderer_.region().width > 0 && !renderer_.replaying() && renderer_.samples() >= project->settings.max_samples;
     const std::lock_guard lock(mutex_);
     status_.project = std::move(project);
     status_.error.clear();
@@ -247,17 +254,19 @@ class RenderSession::Impl {
       picture_.assign(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0xff202020u);
       picture_size_ = size;
     }
-    restart(first ? "opened" : "window resized", true);
+    restart(first ? "opened" : "window resized");
   }
 
-  void restart(const std::string& reason, bool places_changed) {
+  void restart(const std::string& reason) {
     cursor_ = 0;
+    pass_whole_ = true;
     wants_preview_ = true;
+    owes_picture_ = false;
     finished_ = false;
     start_ = Clock::now();
     pass_start_ = start_;
     noise_.restart();
-    ids_stale_ = ids_stale_ || places_changed;
+    ids_stale_ = true;
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
     status_.samples = 0;
@@ -276,8 +285,9 @@ class RenderSession::Impl {
 
   void begin_shading_again(const std::string& reason, const Change& change) {
     start_ = Clock::now();
-    noise_.restart();
-    ids_stale_ = ids_stale_ || change.what != "material edited";
+    owes_picture_ = true;
+    noise_.forget_picture();
+    ids_stale_ = ids_stale_ || change.places_moved;
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
     status_.restarted_pixels = change.reshaded;
@@ -290,16 +300,17 @@ class RenderSession::Impl {
     device_.wait(value);
     if (!renderer_.replay_pass_complete()) return;
     show_all(value);
+    owes_picture_ = false;
     const uint32_t samples = renderer_.replayed_samples();
     const bool over = !renderer_.replaying();
     if (over && ids_stale_) update_ids();
     finished_ = over && samples >= renderer_.project().settings.max_samples;
     pass_start_ = Clock::now();
-    pass_ms_.clear();
+    pass_whole_ = cursor_ == 0;
     const std::lock_guard lock(mutex_);
     status_.samples = samples;
     status_.seconds = seconds_since(start_);
-    status_.noise = -1;
+    status_.noise = over ? noise_.at(samples) : -1;
     status_.finished = finished_;
   }
 
@@ -317,7 +328,7 @@ class RenderSession::Impl {
 
   void end_pass(uint32_t batch, uint64_t value) {
     const uint32_t samples = renderer_.samples();
-    if (batch > 0) {
+    if (batch > 0 && pass_whole_) {
       pass_ms_.push_back(1e3 * seconds_since(pass_start_) / batch);
       if (pass_ms_.size() > 9) pass_ms_.pop_front();
     }
@@ -344,6 +355,7 @@ class RenderSession::Impl {
         status_.mrays_per_second = renderer_.rays_per_sample(coverage_) / status_.ms_per_sample * 1e-3;
     }
     pass_start_ = Clock::now();
+    pass_whole_ = true;
   }
 
   void update_ids() {
@@ -398,6 +410,8 @@ class RenderSession::Impl {
   mutable Renderer renderer_;
   int cursor_ = 0;
   bool wants_preview_ = false;
+  bool owes_picture_ = false;  // of the last edit, all of it
+  bool pass_whole_ = true;     // pass_start_ was at its first tile
   bool ids_stale_ = true;
   KernelKey prepared_;  // for which replay's kernels are compiled
   double coverage_ = 1;
@@ -413,6 +427,7 @@ class RenderSession::Impl {
   std::string next_reason_;
   bool paused_ = false, stop_ = false, lose_device_ = false;
   std::atomic<bool> finished_{false}, refused_{false};
+  std::atomic<bool> busy_{false};  // something is to be shown even while refinement is paused
   RenderStatus status_;
 
   // What is shown.

@@ -144,5 +144,6 @@ bvec2 unoccluded(vec3 origin, vec3 direction_x, float t_max_x, vec3 direction_y,
     if (!pass_leaves(y, origin, direction_y, t_max_y)) free.y = false;
     more = (x.b & y.b) >= 0;
   }
-  return free;
+  // lavapipe ends loops silently after 65,535 turns in a kernel: a walk that was cut short has not seen that the way is free.
+  return bvec2(free.x && x.b == BVH_DONE, free.y && y.b == BVH_DONE);
 }

@@ -50,7 +50,7 @@ using uint = std::uint32_t;
 #define SPEC_NEW_HIT 12            // bool: trace the primary ray, else take the stored hit
 #define SPEC_LIST 13               // bool: pixels from a list instead of a tile
 
-#define MAX_LIGHTS 14              // with ambient and environment 16 shadow rays: half a word of visibility bits a vertex
+#define MAX_LIGHTS 14              // with ambient and environment 16 shadow rays: two words of bits for a hit's four samples
 #define TILE_SIDE 64
 #define GROUP_SIZE 64
 #define SAMPLES_PER_HIT 4          // one stored primary hit serves four samples
@@ -102,7 +102,6 @@ struct FrameParams {
   vec3 up;
   float offset_scale;  // ray offset in proportion to the scene, scene units
   vec3 forward;
-  uint part_count;
   vec3 grid_origin;
   uint picture_width;
   vec3 grid_scale;
@@ -139,6 +138,6 @@ struct TilePush {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRow) == 80 && sizeof(PartRow) == 96 && sizeof(TilePush) == 24);
-static_assert(sizeof(FrameParams) == 184 + 12 * MAX_LIGHTS);
+static_assert(sizeof(FrameParams) == 180 + 12 * MAX_LIGHTS);
 }  // namespace vamp::frame
 #endif

@@ -86,9 +86,10 @@ VAMP_INTERSECT_FN BoxRay box_ray_of_all() {
 // Entry and exit of the ray in a box, cut to [t_min, t_max]; a hit where entry <= exit. t_min >= 0. All four are the bits of
 // floats, which as integers keep the order of numbers from 0 up, and are negative for negative numbers: that is all it takes,
 // and an integer minimum costs a third of one that minds NaN. There are none: bvh_inverse() is finite.
-// Exact enough never to miss: a side is wrong by at most 4 * 2^-24 of its distance from the origin along its axis, and the
-// boxes stand a quarter of a cell (2^-18 of the scene) off the triangles, which covers origins up to 16 scenes away. The exit
-// is stretched by 16 units in the last place for the rounding of t itself.
+// Exact enough never to miss: with u = 2^-24, D the distance from the origin to the grid along an axis and S the grid's extent
+// there, the high side is wrong by at most u (3 D + 2.5 S), the low one by less. Boxes stand a quarter of a cell (64 u S) off
+// their triangles, which covers D up to 20 S; beyond that the error is in proportion to t, at most 9 u where division rounds
+// as Vulkan allows, and the exit is stretched by 32 units in the last place, which are at least 32 u.
 VAMP_INTERSECT_FN ivec2 box_span(uvec4 box, BoxRay ray, int t_min, int t_max) {
   ivec3 word = ivec3(box);
   VAMP_PRECISE vec3 low = vec3(word & 0xffff) * ray.factor + ray.offset;
@@ -97,7 +98,7 @@ VAMP_INTERSECT_FN ivec2 box_span(uvec4 box, BoxRay ray, int t_min, int t_max) {
   ivec3 b = floatBitsToInt(high);
   ivec3 near = min(a, b);
   ivec3 far = max(a, b);
-  return ivec2(max(max(near.x, near.y), max(near.z, t_min)), min(min(far.x, far.y), min(far.z, t_max)) + 16);
+  return ivec2(max(max(near.x, near.y), max(near.z, t_min)), min(min(far.x, far.y), min(far.z, t_max)) + 32);
 }
 
 // Two unit vectors across a unit direction (Duff et al. 2017, "Building an orthonormal basis, revisited"): once a ray.

@@ -194,8 +194,9 @@ TEST_F(RenderTest, TheSessionsPictureIsTheCommandLines) {
   BasisEdit edit;
   edit.gain = vec3(0.2f, 1, 1);
   project.materials.back().edits.set({0, 1}, edit);
-  for (int i = 0; i < 600 && session.status().samples < 4; ++i)
+  for (int i = 0; i < 3000 && session.status().samples < 4; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_GE(session.status().samples, 4u);
   session.set_project(std::make_shared<const Project>(project), "weight of a function");
   for (int i = 0; i < 600 && !(session.status().finished && session.status().restart_reason == "weight of a function");
        ++i)

@@ -98,7 +98,8 @@ TEST_F(RenderTest, OneTapAtRandomConvergesToFour) {
     sum += b;
     sum2 += b * b;
   }
-  // 512 taps a pixel of texels that differ by half their value: 2 % a pixel; 576 pixels together: 0.1 %, held to 4 sigma.
+  // 512 taps a pixel of texels that differ by half their value: 2 % a pixel; 576 pixels together: 0.1 %, held to 4
+  // sigma.
   EXPECT_LT(std::sqrt(squares / sum2), 0.04);
   EXPECT_LT(std::abs(difference / sum), 0.004);
 }
