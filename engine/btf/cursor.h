@@ -83,8 +83,9 @@ class ByteWriter {
  public:
   template <class T>
   void number(T value) {
-    const auto bytes = std::as_bytes(std::span(&value, 1));
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    const size_t at = bytes_.size();
+    bytes_.resize(at + sizeof(value));
+    std::memcpy(&bytes_[at], &value, sizeof(value));
   }
   void raw(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
   void text(std::string_view text) { raw(std::as_bytes(std::span(text.data(), text.size()))); }
