@@ -1,5 +1,7 @@
 // What users drop on the window, and what the machine does to it.
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "engine/image/save.h"
 #include "tests/editor/drop.h"
@@ -84,6 +86,7 @@ TEST_F(Trouble, ARendererThatLostItsDeviceStartsAnew) {
   ASSERT_TRUE(wait_until([&] { return editor.log().find("lost") != std::string::npos; })) << editor.log();
   // What was not saved is on disk before anybody answers.
   EXPECT_TRUE(wait_until([&] { return !files(home() / "state" / "vamp" / "autosave", ".json").empty(); }));
+  std::this_thread::sleep_for(std::chrono::seconds(1));
   editor.key("Return");  // Start the renderer anew
   editor.key("ctrl+s");
   EXPECT_TRUE(wait_until([&] { return edited_rows(document()) > 0; })) << editor.log();
@@ -99,6 +102,8 @@ TEST_F(Trouble, ALostDeviceEndsInOneLineAndSixAndLosesNothing) {
       edit_the_material(editor);
       if (what == "renderer") {
         ASSERT_TRUE(wait_until([&] { return editor.log().find("lost") != std::string::npos; })) << editor.log();
+        // The question comes some frames after the line.
+        std::this_thread::sleep_for(std::chrono::seconds(1));
         editor.key("Right");  // from "Start the renderer anew" to "Quit"
         editor.key("space");
       }
