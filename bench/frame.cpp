@@ -1,5 +1,5 @@
 // What a sample of a picture costs, in units of what Embree's single-ray calls need for the same rays in the same run:
-//   bench_frame [--scene FILE] [--without PART] [--rounds N] [--size N]
+//   bench_frame [--scene FILE, else the shipped shoe in its leather and cloth] [--without PART] [--rounds N] [--size N]
 // The picture has one primary, one shadow and one ambient ray a sample and pixel and SPMM shading. Embree traces all of
 // them from ready arrays in tile order on as many threads as there are processors; drawing the rays, surfaces, shading
 // and accumulation are on our side of the balance alone. Rounds of both alternate; medians and spread over rounds.
@@ -19,6 +19,7 @@
 #include "engine/core/files.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
+#include "engine/project/default_project.h"
 #include "engine/project/project_file.h"
 #include "engine/render/renderer.h"
 #include "shaders/shared/random.h"
@@ -191,7 +192,7 @@ std::shared_ptr<const Scene> without_part(const Scene& scene, const std::string&
 }
 
 int run(const std::string& scene_file, const std::string& without, int rounds, int side) {
-  Result<Project> opened = open_scene(scene_file);
+  Result<Project> opened = scene_file.empty() ? default_project() : open_scene(scene_file);
   if (!opened) {
     fmt::print(stderr, "{}\n", opened.error().message());
     return 3;
@@ -237,8 +238,8 @@ int run(const std::string& scene_file, const std::string& without, int rounds, i
   }
   const double all = primary.quantile(0.5) + shadow.quantile(0.5) + ambient.quantile(0.5);
   const double reused = primary.quantile(0.5) / SAMPLES_PER_HIT + shadow.quantile(0.5) + ambient.quantile(0.5);
-  fmt::print("{}: {} triangles, {} x {}, {} rounds, {}\n", scene_file, project.scene->triangles.size(), side, side,
-             rounds, (*device)->info().name);
+  fmt::print("{}: {} triangles, {} x {}, {} rounds, {}\n", scene_file.empty() ? "the shipped shoe" : scene_file,
+             project.scene->triangles.size(), side, side, rounds, (*device)->info().name);
   fmt::print("Embree primary  {}  {:.1f} Mrays/s\n", primary.text(),
              static_cast<double>(rays.primary.size()) / primary.quantile(0.5) * 1e-3);
   fmt::print("Embree shadow   {}  {:.1f} Mrays/s\n", shadow.text(),
@@ -257,8 +258,7 @@ int run(const std::string& scene_file, const std::string& without, int rounds, i
 
 int main(int argc, char** argv) {
   vamp::start_log("warn");
-  std::string scene = (vamp::shipped_dir("scenes") / "derby.vampproj").string();
-  std::string without;
+  std::string scene, without;
   int rounds = 9, side = 512;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i];
