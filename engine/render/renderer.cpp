@@ -401,7 +401,8 @@ void Renderer::begin_replay(uint32_t touched, Change& change) {
   change.reshaded = list.size();
   replay_.begin(std::move(list), targets);
   replay_at_ = 0;
-  if (replay_.active()) change.bytes += device_->upload_rows<uint32_t>(list_, 0, replay_.pixels());
+  // Not counted among the edit's bytes: it says where to look, not what changed.
+  if (replay_.active()) device_->upload_rows<uint32_t>(list_, 0, replay_.pixels());
 }
 
 uint64_t Renderer::replay(uint32_t most) {
