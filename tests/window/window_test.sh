@@ -12,10 +12,16 @@ out=$(mktemp)
 "$1" --ui "$2" --validate > "$out" 2>&1 &
 gallery=$!
 # The window is there and has drawn when its title can be found; a busy machine may need long.
-for i in $(seq 100); do
+for i in $(seq 300); do
   id=$(xdotool search --name '^Gallery$' 2> /dev/null | tail -1) && [ -n "$id" ] && break
   sleep 0.2
 done
+if [ -z "$id" ]; then
+  echo "the gallery's window did not appear within a minute; what it said:"
+  cat "$out"
+  kill "$gallery" 2> /dev/null
+  exit 1
+fi
 sleep 2
 xdotool mousemove 1330 163; sleep 0.4
 xdotool mousedown 1; sleep 0.4; xdotool mousemove 1360 163; sleep 0.4; xdotool mousemove 1400 163; sleep 0.4
