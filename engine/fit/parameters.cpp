@@ -2,20 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <span>
 
 #include "engine/brdf/registry.h"
+#include "engine/core/check.h"
 
 namespace vamp::fit {
 namespace {
 
-enum class Scale { plain, logarithm, root };
-
+// One shape parameter of a model: its row, on the scale of its slider, and the part of its range that a measurement can
+// tell apart.
 struct Shape {
-  size_t slot;
-  Scale scale;
-  double low, high;  // of the lobe's own value
+  const ParameterRow* row = nullptr;
+  double low = 0, high = 0;  // of the lobe's own value
+
+  double forward(double value) const {
+    return row->mapping == Mapping::logarithmic ? std::log(value)
+           : row->mapping == Mapping::square    ? std::sqrt(value)
+                                                : value;
+  }
+  double backward(double value) const {
+    return row->mapping == Mapping::logarithmic ? std::exp(value)
+           : row->mapping == Mapping::square    ? value * value
+                                                : value;
+  }
 };
 
 // Shape parameters of a model; the normal's two follow, then the tangent where `directed`.
@@ -26,32 +37,41 @@ struct Layout {
 };
 
 Layout layout(Model model, const LobeLimits& limits) {
-  const double n = limits.max_exponent, w = limits.min_width;
+  Layout layout;
+  const uint8_t variant = model_row(model).default_variant;
+  const auto add = [&](std::string_view name, double least, double most) {
+    const ParameterRow* row = find_parameter(model, variant, name);
+    CHECK(row != nullptr);
+    layout.shape[layout.shapes++] = {row, std::max(double{row->min}, least), std::min(double{row->max}, most)};
+  };
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const double low = limits.min_exponent, high = limits.max_exponent, width = limits.min_width;
   switch (model) {
     case Model::lambert:
-      return {};
+      break;
     case Model::oren_nayar:
-      return {{{{1, Scale::plain, 0.1, 1.2}}}, 1};
+      add("sigma", limits.min_sigma, kAny);
+      break;
     case Model::blinn_phong:
-      return {{{{1, Scale::logarithm, 1, n}}}, 1};
+      add("n", low, high);
+      break;
     case Model::ward:
-      return {{{{1, Scale::logarithm, w, 1}, {2, Scale::logarithm, w, 1}}}, 2, true};
+      add("alpha_x", width, kAny), add("alpha_y", width, kAny);
+      layout.directed = true;
+      break;
     case Model::cook_torrance:
-      return {{{{1, Scale::logarithm, w, 1}, {2, Scale::root, 0.01, 1}}}, 2};
+      add("m", width, kAny), add("f0", limits.min_f0, kAny);
+      break;
     case Model::lafortune:
-      return {{{{1, Scale::plain, -1, 1}, {2, Scale::plain, -1, 1}, {4, Scale::logarithm, 1, n}}}, 3, true};
+      add("cx", -kAny, kAny), add("cy", -kAny, kAny), add("n", low, high);
+      layout.directed = true;
+      break;
     case Model::ashikhmin_shirley:
-      return {
-          {{{0, Scale::root, 0.01, 1}, {2, Scale::logarithm, 1, 1.5 * n}, {3, Scale::logarithm, 1, 1.5 * n}}}, 3, true};
+      add("rs", limits.min_f0, kAny), add("nu", low, 1.5 * high), add("nv", low, 1.5 * high);
+      layout.directed = true;
+      break;
   }
-  return {};
-}
-
-double forward(Scale scale, double value) {
-  return scale == Scale::logarithm ? std::log(value) : scale == Scale::root ? std::sqrt(value) : value;
-}
-double backward(Scale scale, double value) {
-  return scale == Scale::logarithm ? std::exp(value) : scale == Scale::root ? value * value : value;
+  return layout;
 }
 
 }  // namespace
@@ -73,8 +93,8 @@ ParameterVector parameters_of(const Basis& basis, const LobeLimits& limits) {
   };
   for (size_t i = 0; i < rows.shapes; ++i) {
     const Shape& row = rows.shape[i];
-    const double value = std::clamp(double{basis.lobe.params[row.slot]}, row.low, row.high);
-    push(forward(row.scale, value), forward(row.scale, row.low), forward(row.scale, row.high));
+    const double value = std::clamp(double{basis.lobe.params[row.row->slot]}, row.low, row.high);
+    push(row.forward(value), row.forward(row.low), row.forward(row.high));
   }
   const double reach = std::tan(limits.max_tilt / 2), z = 1 + double{basis.normal.z};
   push(double{basis.normal.x} / z, -reach, reach);
@@ -89,7 +109,7 @@ Basis basis_of(Model model, const double* values, const LobeLimits& limits) {
   basis.lobe = default_lobe(model);
   for (size_t i = 0; i < rows.shapes; ++i) {
     const Shape& row = rows.shape[i];
-    basis.lobe.params[row.slot] = static_cast<float>(std::clamp(backward(row.scale, values[i]), row.low, row.high));
+    basis.lobe.params[row.row->slot] = static_cast<float>(std::clamp(row.backward(values[i]), row.low, row.high));
   }
   double a = values[rows.shapes], b = values[rows.shapes + 1];
   const double reach = std::tan(limits.max_tilt / 2), length = std::hypot(a, b);

@@ -1,14 +1,19 @@
 #pragma once
-// A basis as numbers that an optimiser may move: widths and exponents by their logarithms, F0 by its root, the normal
-// by its stereographic projection (x, y) / (1 + z), the tangent angle where the lobe has a direction.
+// A basis as numbers that an optimiser may move: each parameter by its registry row, which gives its range and the
+// scale of its slider; the normal by its stereographic projection (x, y) / (1 + z), the tangent angle where the lobe
+// has a direction.
 #include <array>
 
 #include "engine/material/spmm.h"
 
 namespace vamp::fit {
 
-// What a measurement can tell apart: lobes narrower than the spacing of its directions are guesses.
+// What a measurement can tell apart within the rows' ranges: lobes narrower than the spacing of its directions are
+// guesses, and at the low ends of the others nothing changes with the parameter, so that an optimiser would stay there.
 struct LobeLimits {
+  double min_exponent = 1;    // below it the lobe is nearly Lambert's
+  double min_sigma = 0.1;     // of Oren-Nayar, radians; likewise
+  double min_f0 = 0.01;       // of Cook-Torrance and Ashikhmin-Shirley
   double max_exponent = 100;  // of Blinn-Phong and Lafortune; Ashikhmin-Shirley takes half as much again
   double min_width = 0.1;     // of Ward and Cook-Torrance
   double max_tilt = 1.31;     // of normals, radians
