@@ -9,10 +9,7 @@
 namespace vamp {
 namespace {
 
-using test::Directions;
 using test::lobes_of_width;
-using test::name_of;
-using test::rounded;
 
 constexpr double kWidths[] = {0.0, 0.25, 0.5, 0.75, 1.0};
 
@@ -51,7 +48,7 @@ TEST(Accuracy, DoubleFormsEqualThePapers) {
         const dvec3 wi = s.valid && (i & 1) ? glm::normalize(s.wi) : random.grazing(0.02, 1);
         const double truth = test::published_fcos(lobe, wi, wo);
         EXPECT_LE(std::abs(fcos(lobe, wi, wo) - truth), 2e-9 * std::abs(truth) + 1e-30)
-            << name_of(lobe) << " truth " << truth;
+            << words_of(lobe) << " truth " << truth;
       }
     }
   }
@@ -60,13 +57,11 @@ TEST(Accuracy, DoubleFormsEqualThePapers) {
 TEST(Accuracy, EveryVariantStaysWithinItsBudgetOnHardQuestions) {
   for (const ModelRow& model : models()) {
     for (uint8_t v = 0; v < model.variants.size(); ++v) {
-      const auto questions = test::hard_questions(model.model, v, 3, 100, 600);
-      std::vector<float> values;
-      for (const auto& [lobe, wi, wo, u] : questions) values.push_back(brdf_f32::eval(lobe, wi, wo));
-      const test::Errors errors = test::errors_of(questions, values);
-      test::expect_within(errors, test::cpu_budget(model.model, v));
-      EXPECT_GT(errors.core.count, 5000u) << model.name;
-      EXPECT_GT(errors.grazing.count, 2000u) << model.name;
+      const auto questions = hard_questions(model.model, v, 3, 100, 600);
+      const test::Counted counted = test::expect_within(questions, truths_of(questions), test::cpu_values(questions),
+                                                        test::cpu_budget(model.model, v));
+      EXPECT_GT(counted.core, 5000u) << model.name;
+      EXPECT_GT(counted.grazing, 2000u) << model.name;
     }
   }
 }
@@ -88,9 +83,9 @@ TEST(Accuracy, LobeCodeEqualsItsModelTimesTheWindow) {
         const double slack = 1e-12 * top + cancellation(lobe, wi, top);
         // k is stored in float: a rounding of it moves the exponent by 80 of them at most.
         EXPECT_LE(std::abs(lobe_value(packed, dvec3(wi), dvec3(wo)) - model), 1e-4 * std::abs(model) + slack)
-            << name_of(lobe);
+            << words_of(lobe);
         EXPECT_LE(std::abs(lobe_value(packed, wi, wo) - model), 1e-4 * std::abs(model) + slack)
-            << name_of(lobe) << " wi " << wi.x << " " << wi.y << " " << wi.z << " wo " << wo.x << " " << wo.y << " "
+            << words_of(lobe) << " wi " << wi.x << " " << wi.y << " " << wi.z << " wo " << wo.x << " " << wo.y << " "
             << wo.z;
       }
     }
@@ -112,7 +107,7 @@ TEST(Accuracy, LobeCodeIsExactInItsCore) {
         if (truth < 1e-3 * brdf_f64::eval(lobe, dvec3(-wo.x, -wo.y, wo.z), dvec3(wo))) continue;
         worst = std::max(worst, relative(lobe_value(packed, wi, wo), truth));
       }
-      EXPECT_LE(worst, core_budget(lobe)) << name_of(lobe);
+      EXPECT_LE(worst, core_budget(lobe)) << words_of(lobe);
     }
   }
 }

@@ -13,7 +13,7 @@ namespace vamp::test {
 void expect_draws_follow_the_density(BrdfProbe& probe, const Lobe& lobe, vec3 wo, uint32_t seed, size_t draws,
                                      int fine) {
   CellsOfDraws cells(lobe, wo, fine);
-  EXPECT_LE(cells.integral(), 1.003) << name_of(lobe);
+  EXPECT_LE(cells.integral(), 1.003) << words_of(lobe);
   std::mt19937 bits(seed);
   const auto uniform = [&bits] { return random::random_float(static_cast<uint32_t>(bits())); };
   std::vector<BrdfQuestion> questions(draws, {.lobe = lobe, .wo = wo});
@@ -23,7 +23,7 @@ void expect_draws_follow_the_density(BrdfProbe& probe, const Lobe& lobe, vec3 wo
   }
   for (const BrdfDraw& draw : probe.draws(questions)) cells.count(dvec3(draw.wi), draw.valid);
   EXPECT_LE(cells.deviations(), kChiSquareDeviations)
-      << name_of(lobe) << " viewed from " << wo.x << " " << wo.y << " " << wo.z;
+      << words_of(lobe) << " viewed from " << wo.x << " " << wo.y << " " << wo.z;
 }
 
 void expect_all_draws_follow_their_densities(BrdfProbe& probe, size_t draws, int fine) {

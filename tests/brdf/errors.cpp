@@ -1,159 +1,10 @@
 #include "tests/brdf/errors.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
-
 #include "engine/brdf/kernel.h"
-#include "tests/brdf/lobes.h"
 
 namespace vamp::test {
-namespace {
-
-constexpr double kHorizon = 1e-6;  // the smallest cosine asked about
-constexpr double kBlack = 1e-12;   // 1/sr; no picture shows digits of what is darker
-constexpr double kCos80 = 0.17364817766693;
-
-// The end of a range that budgets are promised for.
-float longest(const ParameterRow& row) {
-  if (row.name == "n" && row.max > 1e5f) return 1e5f;
-  return row.name == "ks" ? 10.0f : row.max;
-}
-
-float any_value(const ParameterRow& row, Directions& random) {
-  const double pick = random.uniform();
-  if (pick < 0.1) return row.min;
-  if (pick < 0.2) return longest(row);
-  return std::min(longest(row), from_slider(row, static_cast<float>(random.uniform())));
-}
-
-Lobe any_lobe(Model model, uint8_t variant, Directions& random) {
-  Lobe lobe = default_lobe(model, variant);
-  for (const ParameterRow& row : model_row(model).parameters) {
-    if (row.belongs_to(variant)) lobe.params[row.slot] = any_value(row, random);
-  }
-  // What is black everywhere has no relative error.
-  if (lobe.params[0] == 0 && model != Model::ashikhmin_shirley) lobe.params[0] = 1;
-  return lobe;
-}
-
-dvec3 tilted(dvec3 w, double angle, Directions& random) {
-  const double phi = random.azimuth();
-  const dvec3 moved = glm::normalize(w + angle * dvec3(std::cos(phi), std::sin(phi), random.uniform() - 0.5));
-  return moved.z >= kHorizon ? moved : w;
-}
-
-dvec3 viewer(int kind, Directions& random) {
-  switch (kind % 6) {
-    case 0:
-      return random.grazing(kHorizon, kCos80);
-    case 1:
-      return tilted({0, 0, 1}, std::pow(10.0, -8 * random.uniform()), random);
-    case 2: {
-      const double c = 0.05 + 0.95 * random.uniform(), s = std::sqrt(1 - c * c);
-      return random.uniform() < 0.5 ? dvec3(s, 0, c) : dvec3(0, -s, c);
-    }
-    default:
-      return random.grazing(kCos80, 1);
-  }
-}
-
-dvec3 light(int kind, const Lobe& lobe, dvec3 wo, Directions& random) {
-  const dvec3 mirror(-wo.x, -wo.y, wo.z);
-  switch (kind % 9) {
-    case 0:
-      return tilted(mirror, std::pow(10.0, -8 * random.uniform()), random);
-    case 1:
-      return tilted(wo, std::pow(10.0, -8 * random.uniform()), random);
-    case 2:
-      return random.grazing(kHorizon, kCos80);
-    case 3:
-      return random.hemisphere();
-    case 4: {
-      // At a right angle about the normal, nearly: there the horizontal parts' product vanishes.
-      const dvec3 w = random.grazing(kHorizon, 1);
-      const double turn = std::atan2(wo.y, wo.x) + std::numbers::pi / 2 + std::pow(10.0, -8 * random.uniform());
-      return random.at(w.z, turn);
-    }
-    default: {
-      const LobeSample s = sample_lobe(lobe, wo, random.uniform(), 1 - std::pow(10.0, -12 * random.uniform()));
-      return s.valid && s.wi.z >= kHorizon ? s.wi : mirror;
-    }
-  }
-}
-
-// f where the lobe is brightest for this viewer, near enough: at the mirror direction, at Lafortune's axis, or beside
-// the highlight where Fresnel's factor rises faster than the highlight falls.
-double brightest(const Lobe& lobe, vec3 wo) {
-  const dvec3 mirror(-wo.x, -wo.y, wo.z);
-  double top = std::abs(brdf_f64::eval(lobe, mirror, dvec3(wo))) / mirror.z;
-  if (lobe.model == Model::lafortune) {
-    const auto& p = lobe.params;
-    const dvec3 axis(p[1] * wo.x, p[2] * wo.y, p[3] * wo.z);
-    const double length = glm::length(axis);
-    if (length > 0 && axis.z > kHorizon * length)
-      top = std::max(top, brdf_f64::eval(lobe, axis / length, dvec3(wo)) * length / axis.z);
-  }
-  const bool fresnel = lobe.model == Model::ashikhmin_shirley
-                           ? lobe.params[0] < 0.02f
-                           : lobe.model == Model::cook_torrance && lobe.params[2] < 0.02f;
-  for (int k = 0; fresnel && k < 36; ++k) {
-    const LobeSample s = sample_lobe(lobe, dvec3(wo), (k % 4) / 4.0, 1 - std::pow(10.0, -0.7 * (k / 4) - 0.3));
-    if (s.valid && s.wi.z > kHorizon) top = std::max(top, s.weight * s.pdf / s.wi.z);
-  }
-  return top;
-}
-
-// Oren and Nayar's full model crosses zero, where relative errors mean nothing: there Lambert's value is the measure.
-double least_measure(const BrdfQuestion& q) {
-  const bool crosses = q.lobe.model == Model::oren_nayar && q.lobe.variant == kOrenNayarFull;
-  return crosses ? static_cast<double>(q.lobe.params[0] * q.wi.z) / std::numbers::pi : 0;
-}
-
-void keep(Errors::Worst& worst, double error, const BrdfQuestion& q, double truth) {
-  ++worst.count;
-  if (!(error <= worst.error)) {
-    worst.error = error;
-    worst.where = fmt::format("{} wi {} {} {} wo {} {} {} truth {}", name_of(q.lobe), q.wi.x, q.wi.y, q.wi.z, q.wo.x,
-                              q.wo.y, q.wo.z, truth);
-  }
-}
-
-}  // namespace
-
-std::vector<BrdfQuestion> hard_questions(Model model, uint8_t variant, uint32_t seed, int lobes, int pairs) {
-  Directions random(seed);
-  std::vector<BrdfQuestion> questions;
-  for (int l = 0; l < lobes; ++l) {
-    const Lobe lobe = any_lobe(model, variant, random);
-    for (int i = 0; i < pairs; ++i) {
-      const vec3 wo = rounded(viewer(i, random));
-      const vec3 wi = rounded(light(i / 6, lobe, dvec3(wo), random));
-      if (wi.z > 0 && wo.z > 0) questions.push_back({lobe, wi, wo});
-    }
-  }
-  return questions;
-}
-
-Errors errors_of(std::span<const BrdfQuestion> questions, std::span<const float> fcos) {
-  Errors errors;
-  for (size_t i = 0; i < questions.size(); ++i) {
-    const BrdfQuestion& q = questions[i];
-    const double truth = brdf_f64::eval(q.lobe, dvec3(q.wi), dvec3(q.wo));
-    const double error = std::abs(fcos[i] - truth);
-    if (std::abs(truth) < kBlack && error < kBlack) continue;
-    const double f = std::abs(truth) / q.wi.z, top = std::max(f, brightest(q.lobe, q.wo));
-    if (f < 1e-12 * top) {
-      keep(errors.deep, error / (top * q.wi.z), q, truth);
-      continue;
-    }
-    const bool beyond = q.wi.z < kCos80 || q.wo.z < kCos80;
-    Errors::Worst& region = f < 1e-3 * top ? errors.tail : beyond ? errors.grazing : errors.core;
-    keep(region, error / std::max(std::abs(truth), least_measure(q)), q, truth);
-  }
-  return errors;
-}
 
 Budget cpu_budget(Model model, uint8_t variant) {
   if (model != Model::lafortune) return {5e-6, 2e-5};
@@ -166,11 +17,30 @@ Budget gpu_budget(Model model, uint8_t variant) {
   return {std::max(cpu.core, 3e-5), std::max(cpu.grazing, 1e-4), cpu.tail, cpu.deep};
 }
 
-void expect_within(const Errors& errors, const Budget& budget) {
-  EXPECT_LE(errors.core.error, budget.core) << errors.core.where;
-  EXPECT_LE(errors.grazing.error, budget.grazing) << errors.grazing.where;
-  EXPECT_LE(errors.tail.error, budget.tail) << errors.tail.where;
-  EXPECT_LE(errors.deep.error, budget.deep) << errors.deep.where;
+Counted expect_within(std::span<const BrdfQuestion> questions, std::span<const Truth> truths,
+                      std::span<const float> fcos, const Budget& budget) {
+  const std::array<double, 4> limits = {budget.core, budget.grazing, budget.tail, budget.deep};
+  const auto errors = errors_of(truths, fcos);
+  for (const ErrorRegion region : kErrorRegions) {
+    const RegionErrors& found = errors[static_cast<size_t>(region)];
+    const BrdfQuestion& q = questions[found.where];
+    EXPECT_LE(found.worst, limits[static_cast<size_t>(region)])
+        << name_of(region) << " of " << words_of(q.lobe) << " wi " << q.wi.x << " " << q.wi.y << " " << q.wi.z << " wo "
+        << q.wo.x << " " << q.wo.y << " " << q.wo.z << " truth " << truths[found.where].fcos;
+  }
+  return {errors[0].all.size(), errors[1].all.size()};
+}
+
+std::vector<float> cpu_values(std::span<const BrdfQuestion> questions) {
+  std::vector<float> values;
+  for (const auto& [lobe, wi, wo, u] : questions) values.push_back(brdf_f32::eval(lobe, wi, wo));
+  return values;
+}
+
+std::vector<float> device_values(BrdfProbe& probe, std::span<const BrdfQuestion> questions) {
+  std::vector<float> values;
+  for (const BrdfValue& value : probe.values(questions)) values.push_back(value.fcos);
+  return values;
 }
 
 }  // namespace vamp::test

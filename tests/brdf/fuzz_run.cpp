@@ -38,7 +38,7 @@ std::vector<Lobe> any_lobes() {
 bool may_be_negative(const Lobe& lobe) { return lobe.model == Model::oren_nayar && lobe.variant == kOrenNayarFull; }
 
 std::string text(const Lobe& lobe, const FuzzFailure& f) {
-  return name_of(lobe) + " case " + std::to_string(f.index) + " shaded " + std::to_string(f.shaded) + " value " +
+  return words_of(lobe) + " case " + std::to_string(f.index) + " shaded " + std::to_string(f.shaded) + " value " +
          std::to_string(f.value) + " pdf " + std::to_string(f.pdf) + " weight " + std::to_string(f.weight);
 }
 

@@ -21,14 +21,14 @@ TEST(Directions, ThatAreNoneGiveZero) {
   for (const Lobe& lobe : test::lobes_of_width(0.5)) {
     for (const vec3 bad : {vec3(nan, 0, 1), vec3(0, nan, 0.5f), vec3(0, 0, nan), vec3(infinity, 0, 1),
                            vec3(0, 0, infinity), vec3(0, -infinity, infinity), vec3(0)}) {
-      EXPECT_EQ(fcos(lobe, bad, fine), 0) << test::name_of(lobe);
-      EXPECT_EQ(fcos(lobe, fine, bad), 0) << test::name_of(lobe);
-      EXPECT_EQ(fcos(lobe, dvec3(bad), dvec3(fine)), 0) << test::name_of(lobe);
+      EXPECT_EQ(fcos(lobe, bad, fine), 0) << words_of(lobe);
+      EXPECT_EQ(fcos(lobe, fine, bad), 0) << words_of(lobe);
+      EXPECT_EQ(fcos(lobe, dvec3(bad), dvec3(fine)), 0) << words_of(lobe);
     }
     // Of any length, huge or denormal, a direction is one.
     for (float length : {1e-40f, 1e-30f, 1e30f, 3e38f}) {
       const float value = fcos(lobe, length * vec3(0, 0, 1), fine), truth = fcos(lobe, vec3(0, 0, 1), fine);
-      EXPECT_EQ(value, truth) << test::name_of(lobe) << " " << length;
+      EXPECT_EQ(value, truth) << words_of(lobe) << " " << length;
     }
   }
 }

@@ -7,10 +7,7 @@
 namespace vamp {
 namespace {
 
-using test::Directions;
 using test::lobes_of_width;
-using test::name_of;
-using test::rounded;
 
 // Lights near the highlight, as many for each variant and width.
 std::vector<BrdfQuestion> questions() {
@@ -43,9 +40,9 @@ TEST_F(BrdfOnTheDevice, EqualsTheCpuBuildOfTheSameText) {
     const auto& [lobe, wi, wo, u] = all[i];
     const float value = brdf_f32::eval(lobe, wi, wo), shaded = lobe_value(pack_lobe(lobe), wi, wo);
     same += values[i].fcos == value && lobes[i] == shaded;
-    EXPECT_LE(relative(values[i].fcos, value), 3e-5) << name_of(lobe);
-    EXPECT_LE(relative(lobes[i], shaded), 3e-5) << name_of(lobe);
-    EXPECT_LE(relative(values[i].pdf, lobe_pdf(lobe, wi, wo)), 3e-5) << name_of(lobe);
+    EXPECT_LE(relative(values[i].fcos, value), 3e-5) << words_of(lobe);
+    EXPECT_LE(relative(lobes[i], shaded), 3e-5) << words_of(lobe);
+    EXPECT_LE(relative(values[i].pdf, lobe_pdf(lobe, wi, wo)), 3e-5) << words_of(lobe);
   }
   RecordProperty("same_bits_percent", static_cast<int>(100 * same / all.size()));
 }
@@ -53,10 +50,9 @@ TEST_F(BrdfOnTheDevice, EqualsTheCpuBuildOfTheSameText) {
 TEST_F(BrdfOnTheDevice, EveryVariantStaysWithinItsBudgetOnHardQuestions) {
   for (const ModelRow& model : models()) {
     for (uint8_t v = 0; v < model.variants.size(); ++v) {
-      const auto questions = test::hard_questions(model.model, v, 4, 100, 600);
-      std::vector<float> values;
-      for (const BrdfValue& value : probe->values(questions)) values.push_back(value.fcos);
-      test::expect_within(test::errors_of(questions, values), test::gpu_budget(model.model, v));
+      const auto questions = hard_questions(model.model, v, 4, 100, 600);
+      test::expect_within(questions, truths_of(questions), test::device_values(*probe, questions),
+                          test::gpu_budget(model.model, v));
     }
   }
 }
@@ -67,10 +63,10 @@ TEST_F(BrdfOnTheDevice, DrawsWhatTheCpuDraws) {
   for (size_t i = 0; i < all.size(); ++i) {
     const auto& [lobe, wi, wo, u] = all[i];
     const LobeSample s = sample_lobe(lobe, wo, u.x, u.y);
-    ASSERT_EQ(draws[i].valid, s.valid) << name_of(lobe);
+    ASSERT_EQ(draws[i].valid, s.valid) << words_of(lobe);
     if (!s.valid) continue;
-    EXPECT_LE(glm::length(dvec3(draws[i].wi) - s.wi), 1e-6) << name_of(lobe);
-    EXPECT_LE(relative(draws[i].weight, s.weight), 1e-4) << name_of(lobe);
+    EXPECT_LE(glm::length(dvec3(draws[i].wi) - s.wi), 1e-6) << words_of(lobe);
+    EXPECT_LE(relative(draws[i].weight, s.weight), 1e-4) << words_of(lobe);
   }
 }
 
@@ -81,7 +77,7 @@ TEST_F(BrdfOnTheDevice, SpecialisedKernelsGiveTheSameBits) {
     const std::vector<float> some = probe->lobe_values(all, mask);
     for (size_t i = 0; i < all.size(); ++i) {
       if ((lobe_models_bit(all[i].lobe) & ~mask) != 0) continue;
-      EXPECT_EQ(some[i], everything[i]) << name_of(all[i].lobe) << " with models " << mask;
+      EXPECT_EQ(some[i], everything[i]) << words_of(all[i].lobe) << " with models " << mask;
     }
   }
 }

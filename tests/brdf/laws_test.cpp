@@ -7,10 +7,7 @@
 namespace vamp {
 namespace {
 
-using test::Directions;
 using test::lobes_of_width;
-using test::name_of;
-using test::rounded;
 
 constexpr double kThetas[] = {0, 15, 30, 45, 60, 75, 80, 85, 88, 89, 89.5, 89.9};
 
@@ -74,7 +71,7 @@ TEST(Furnace, NoDefaultFormReflectsMoreThanArrives) {
       }
       for (double theta : kThetas) {
         EXPECT_LE(albedo_by_sampler(lobe, at_degrees(theta), 48), furnace_limit(lobe))
-            << name_of(lobe) << " at " << theta;
+            << words_of(lobe) << " at " << theta;
       }
     }
   }
@@ -83,7 +80,7 @@ TEST(Furnace, NoDefaultFormReflectsMoreThanArrives) {
 TEST(Furnace, AlbedosEqualThePublishedTables) {
   const auto expect = [](const Lobe& lobe, std::initializer_list<std::pair<double, double>> table) {
     for (const auto& [theta, albedo] : table) {
-      EXPECT_NEAR(albedo_by_sampler(lobe, at_degrees(theta), 200), albedo, 2e-3) << name_of(lobe) << " at " << theta;
+      EXPECT_NEAR(albedo_by_sampler(lobe, at_degrees(theta), 200), albedo, 2e-3) << words_of(lobe) << " at " << theta;
     }
   };
   expect({Model::lambert, 0, {0.6f}}, {{0, 0.6}, {80, 0.6}});
@@ -113,7 +110,7 @@ TEST(Furnace, SamplerAndHemisphereAgree) {
     for (double theta : {0.0, 40.0, 70.0}) {
       const dvec3 wo = at_degrees(theta);
       const double direct = integral([&](dvec3 wi) { return fcos(lobe, wi, wo); }, 300);
-      EXPECT_NEAR(albedo_by_sampler(lobe, wo, 150) / direct, 1, 5e-3) << name_of(lobe) << " at " << theta;
+      EXPECT_NEAR(albedo_by_sampler(lobe, wo, 150) / direct, 1, 5e-3) << words_of(lobe) << " at " << theta;
     }
   }
 }
@@ -126,7 +123,7 @@ TEST(Furnace, AlbedoForDisplayIsGoodToOnePercent) {
         for (int i = 0; i < 8; ++i)
           mean += albedo_by_sampler(lobe, at_degrees(theta, (i + 0.5) * std::numbers::pi / 16), 60) / 8;
         const float shown = lobe_albedo(lobe, static_cast<float>(std::cos(theta * std::numbers::pi / 180)));
-        EXPECT_NEAR(shown, mean, 0.015 * mean + 1e-6) << name_of(lobe) << " at " << theta;
+        EXPECT_NEAR(shown, mean, 0.015 * mean + 1e-6) << words_of(lobe) << " at " << theta;
       }
     }
   }
@@ -145,7 +142,7 @@ TEST(Reciprocity, ExchangingLightAndViewerChangesNothing) {
         // Terms that cancel are measured by their own size.
         const bool cancels = lobe.model == Model::lafortune || (lobe.model == Model::oren_nayar && lobe.variant == 1);
         const float slack = cancels ? 3e-6f / std::max(wi.z, wo.z) : 1e-30f;
-        EXPECT_NEAR(f, g, 1e-5f * std::max(std::abs(f), std::abs(g)) + slack) << name_of(lobe);
+        EXPECT_NEAR(f, g, 1e-5f * std::max(std::abs(f), std::abs(g)) + slack) << words_of(lobe);
       }
     }
   }
@@ -163,7 +160,7 @@ TEST(Isotropy, TurningBothDirectionsChangesNothing) {
       const double a = random.azimuth(), c = std::cos(a), s = std::sin(a);
       const auto turned = [&](dvec3 w) { return dvec3(c * w.x - s * w.y, s * w.x + c * w.y, w.z); };
       const double value = fcos(lobe, wi, wo);
-      EXPECT_NEAR(fcos(lobe, turned(wi), turned(wo)), value, 1e-9 * std::abs(value) + 1e-14) << name_of(lobe);
+      EXPECT_NEAR(fcos(lobe, turned(wi), turned(wo)), value, 1e-9 * std::abs(value) + 1e-14) << words_of(lobe);
     }
   }
 }
@@ -177,7 +174,7 @@ TEST(Sampling, WeightIsFcosOverPdf) {
         const LobeSample s = sample_lobe(lobe, wo, random.uniform(), random.uniform());
         if (!s.valid) continue;
         const double ratio = brdf_f64::eval(lobe, s.wi, wo) / brdf_f64::pdf(lobe, s.wi, wo);
-        EXPECT_NEAR(s.weight, ratio, 1e-5 * std::abs(ratio) + 1e-12) << name_of(lobe);
+        EXPECT_NEAR(s.weight, ratio, 1e-5 * std::abs(ratio) + 1e-12) << words_of(lobe);
       }
     }
   }

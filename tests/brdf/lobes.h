@@ -1,27 +1,12 @@
 #pragma once
 // Lobes and directions that the tests share.
 #include <cmath>
-#include <numbers>
-#include <random>
-#include <string>
 #include <vector>
 
 #include "engine/brdf/registry.h"
+#include "engine/probe/hard_questions.h"
 
 namespace vamp::test {
-
-inline std::string name_of(const Lobe& lobe) {
-  const ModelRow& row = model_row(lobe.model);
-  std::string name = std::string(row.name) + "/" + std::string(row.variants[lobe.variant].name);
-  for (float p : lobe.params) name += " " + std::to_string(p);
-  return name;
-}
-
-// The nearest floats. Out of line, because g++ 12 drops the rounding of double -> float -> double where it vectorises
-// all three components at once.
-[[gnu::noinline]] inline vec3 rounded(dvec3 w) {
-  return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-}
 
 // Every variant of every model at one width: `width` 0 is sharp, 1 is broad.
 inline std::vector<Lobe> lobes_of_width(double width) {
@@ -65,23 +50,5 @@ inline std::vector<Lobe> lobes_of_width(double width) {
   }
   return lobes;
 }
-
-class Directions {
- public:
-  explicit Directions(uint32_t seed) : engine_(seed) {}
-  double uniform() { return std::uniform_real_distribution<double>(0, 1)(engine_); }
-  dvec3 at(double cosine, double phi) {
-    const double s = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    return {s * std::cos(phi), s * std::sin(phi), cosine};
-  }
-  dvec3 at_angle(double degrees) { return at(std::cos(degrees * std::numbers::pi / 180), azimuth()); }
-  dvec3 hemisphere() { return at(uniform(), azimuth()); }
-  double azimuth() { return 2 * std::numbers::pi * uniform(); }
-  // Cosine log-uniform between low and high.
-  dvec3 grazing(double low, double high) { return at(low * std::pow(high / low, uniform()), azimuth()); }
-
- private:
-  std::mt19937 engine_;
-};
 
 }  // namespace vamp::test

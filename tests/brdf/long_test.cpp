@@ -1,5 +1,4 @@
 // The same as the other tests of this folder, with a hundred times as many cases.
-#include "engine/brdf/kernel.h"
 #include "engine/brdf/registry.h"
 #include "tests/brdf/device.h"
 #include "tests/brdf/draws.h"
@@ -22,13 +21,10 @@ TEST_F(Long, AHundredMillionPatternsGiveNumbersOnTheDevice) {
 TEST_F(Long, MillionsOfHardQuestionsStayWithinTheirBudgets) {
   for (const ModelRow& model : models()) {
     for (uint8_t v = 0; v < model.variants.size(); ++v) {
-      const auto questions = test::hard_questions(model.model, v, 5, 2000, 1200);
-      std::vector<float> values;
-      for (const auto& [lobe, wi, wo, u] : questions) values.push_back(brdf_f32::eval(lobe, wi, wo));
-      test::expect_within(test::errors_of(questions, values), test::cpu_budget(model.model, v));
-      values.clear();
-      for (const BrdfValue& value : probe->values(questions)) values.push_back(value.fcos);
-      test::expect_within(test::errors_of(questions, values), test::gpu_budget(model.model, v));
+      const auto questions = hard_questions(model.model, v, 5, 2000, 1200);
+      const auto truths = truths_of(questions);
+      test::expect_within(questions, truths, test::cpu_values(questions), test::cpu_budget(model.model, v));
+      test::expect_within(questions, truths, test::device_values(*probe, questions), test::gpu_budget(model.model, v));
     }
   }
 }

@@ -71,7 +71,7 @@ TEST(Properties, TurningIsotropicLobesChangesNothing) {
 TEST(Properties, MirroringBothDirectionsAtAnAxisChangesNothing) {
   holds([] {
     const Lobe lobe = any_lobe();
-    const vec3 wi = test::rounded(any_direction()), wo = test::rounded(any_direction());
+    const vec3 wi = rounded(any_direction()), wo = rounded(any_direction());
     RC_ASSERT(fcos(lobe, wi, wo) == fcos(lobe, vec3(-wi.x, wi.y, wi.z), vec3(-wo.x, wo.y, wo.z)));
     RC_ASSERT(fcos(lobe, wi, wo) == fcos(lobe, vec3(wi.x, -wi.y, wi.z), vec3(wo.x, -wo.y, wo.z)));
   });

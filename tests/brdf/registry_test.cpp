@@ -134,7 +134,7 @@ TEST(Registry, ChangingTheVariantKeepsWhatBothHave) {
 }
 
 TEST(Packing, EveryVariantSaysWhichCodeItNeeds) {
-  for (const Lobe& lobe : test::lobes_of_width(0.5)) EXPECT_NE(lobe_models_bit(lobe), 0u) << test::name_of(lobe);
+  for (const Lobe& lobe : test::lobes_of_width(0.5)) EXPECT_NE(lobe_models_bit(lobe), 0u) << words_of(lobe);
   EXPECT_EQ(lobe_models_bit(default_lobe(Model::ward)), 8u);
 }
 

@@ -112,7 +112,7 @@ TEST(Specialisation, FewerModelsGiveTheSameBits) {
       {256, mask_256::lobe_eval},   {528, mask_528::lobe_eval}, {1024, mask_1024::lobe_eval},
       {1088, mask_1088::lobe_eval},
   };
-  test::Directions random(7);
+  Directions random(7);
   for (const Lobe& lobe : test::lobes_of_width(0.6)) {
     const uint32_t needed = lobe_models_bit(lobe);
     const PackedLobe packed = pack_lobe(lobe);
@@ -121,16 +121,15 @@ TEST(Specialisation, FewerModelsGiveTheSameBits) {
       if ((needed & ~kernel.mask) != 0) continue;
       ++served;
       for (int i = 0; i < 500; ++i) {
-        const vec3 wo = test::rounded(random.grazing(1e-3, 1));
+        const vec3 wo = rounded(random.grazing(1e-3, 1));
         const LobeSample s = sample_lobe(lobe, dvec3(wo), random.uniform(), random.uniform());
-        const vec3 wi = test::rounded(s.valid ? s.wi : random.grazing(1e-3, 1));
+        const vec3 wi = rounded(s.valid ? s.wi : random.grazing(1e-3, 1));
         const float all = brdf_f32::packed(packed.tag, packed.k, wi, wo);
         const float some = kernel.eval(packed.tag, {packed.k[0], packed.k[1], packed.k[2], packed.k[3]}, wi, wo);
-        ASSERT_EQ(std::bit_cast<uint32_t>(all), std::bit_cast<uint32_t>(some))
-            << test::name_of(lobe) << " " << kernel.mask;
+        ASSERT_EQ(std::bit_cast<uint32_t>(all), std::bit_cast<uint32_t>(some)) << words_of(lobe) << " " << kernel.mask;
       }
     }
-    EXPECT_GE(served, 1) << test::name_of(lobe);
+    EXPECT_GE(served, 1) << words_of(lobe);
   }
 }
 
