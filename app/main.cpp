@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   add_fit(app, common, action);
   add_evaluate(app, common, action);
   add_brdf(app, common, action);
+  add_bench(app, common, action);
   add_help(app, action);
   app.require_subcommand(0, 1);
   try {

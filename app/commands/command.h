@@ -31,6 +31,7 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 void add_edit(CLI::App& app, CommonOptions& common, Action& action);
 void add_render(CLI::App& app, CommonOptions& common, Action& action);
 void add_compare(CLI::App& app, CommonOptions& common, Action& action);
+void add_bench(CLI::App& app, CommonOptions& common, Action& action);
 void add_brdf(CLI::App& app, CommonOptions& common, Action& action);
 void add_info(CLI::App& app, CommonOptions& common, Action& action);
 void add_convert(CLI::App& app, CommonOptions& common, Action& action);

@@ -1,67 +1,21 @@
 // Embree, an independent ray tracer, must see the same first hits.
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 
+#include "bench/embree_scene.h"
 #include "engine/accel/bvh.h"
 #include "tests/accel/meshes.h"
 
 namespace vamp {
 namespace {
 
-class Embree {
- public:
-  explicit Embree(const TestMesh& mesh) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3),
-                                             mesh.positions.size());
-    std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(vec3));
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3),
-                                            mesh.triangles.size());
-    std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(uvec3));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_);
-  }
-  Embree(const Embree&) = delete;
-  Embree& operator=(const Embree&) = delete;
-  ~Embree() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
-  }
-
-  RTCRayHit trace(const vec3& origin, const vec3& direction) const {
-    RTCRayHit ray{};
-    ray.ray.org_x = origin.x;
-    ray.ray.org_y = origin.y;
-    ray.ray.org_z = origin.z;
-    ray.ray.dir_x = direction.x;
-    ray.ray.dir_y = direction.y;
-    ray.ray.dir_z = direction.z;
-    ray.ray.tfar = 3.4e38f;
-    ray.ray.mask = ~0u;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene_, &context, &ray);
-    return ray;
-  }
-
- private:
-  RTCDevice device_;
-  RTCScene scene_;
-};
-
 // Rays from everywhere around and inside. At most 1 in 10,000 may differ (rays along edges); distances to 1e-4 of it.
 void expect_agreement(const TestMesh& mesh, float reach, uint32_t seed) {
   constexpr int kRays = 100000;
   const Bvh bvh = build_bvh(mesh.positions, mesh.triangles);
-  const Embree embree(mesh);
+  const EmbreeScene embree(mesh.positions, mesh.triangles, EmbreeScene::Edges::watertight);
   std::mt19937 random(seed);
   int hits = 0;
   int different = 0;
@@ -69,7 +23,8 @@ void expect_agreement(const TestMesh& mesh, float reach, uint32_t seed) {
     const vec3 origin = random_point(random, vec3(-reach), vec3(reach));
     const vec3 target = random_point(random, vec3(-reach * 0.4f), vec3(reach * 0.4f));
     const vec3 direction = i % 3 == 0 ? random_direction(random) : glm::normalize(target - origin);
-    const RTCRayHit expected = embree.trace(origin, direction);
+    RTCRayHit expected = EmbreeScene::ray_hit(origin, direction);
+    embree.intersect(expected);
     const std::optional<Hit> found = pick(bvh, origin, direction);
     const bool expected_hit = expected.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     if (expected_hit) ++hits;

@@ -9,10 +9,10 @@
 #include <map>
 #include <optional>
 
+#include "bench/embree_scene.h"
 #include "engine/gpu/device.h"
 #include "engine/render/renderer.h"
 #include "shaders/shared/random.h"
-#include "tests/render_embree/embree_scene.h"
 #include "tests/render_embree/ray_oracle.h"
 #include "tests/render_embree/views.h"
 
@@ -40,7 +40,10 @@ struct Traced {
     uint32_t seed = 0;
   };
 
-  explicit Traced(View seen) : view(std::move(seen)), embree(*view.project.scene) {
+  explicit Traced(View seen)
+      : view(std::move(seen)),
+        // Watertight, as ours is.
+        embree(view.project.scene->positions, view.project.scene->triangles, EmbreeScene::Edges::watertight) {
     const Project& project = view.project;
     const CameraFrame camera = camera_frame(project.camera, static_cast<float>(kWidth) / kHeight);
     for (int i = 0; i < kPixels; ++i) {

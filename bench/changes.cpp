@@ -1,0 +1,168 @@
+#include "bench/changes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/brdf/registry.h"
+#include "engine/material/reflectance.h"
+
+namespace vamp {
+namespace {
+
+template <class Make>
+EditLayer for_every_row(const Spmm& spmm, Make make) {
+  EditLayer edits;
+  for (int c = 0; c < static_cast<int>(spmm.clusters.size()); ++c)
+    for (int j = 0; j < static_cast<int>(spmm.dictionary.size()); ++j) edits.set({c, j}, make(BasisKey{c, j}));
+  return edits;
+}
+
+bool shines(const Basis& basis) { return basis.lobe.model != Model::lambert && basis.lobe.model != Model::oren_nayar; }
+
+// The amounts of three or fewer colours that come nearest to `colour`, none negative: the best of the solutions over
+// all subsets.
+std::vector<double> unmixed(const dvec3& colour, const std::vector<dvec3>& parts) {
+  std::vector<double> best(parts.size(), 0);
+  double least = dot(colour, colour);
+  for (unsigned subset = 1; subset < 1u << parts.size(); ++subset) {
+    // Gauss-Seidel on the normal equations of so few unknowns ends at once.
+    std::vector<double> amounts(parts.size(), 0);
+    for (int round = 0; round < 500; ++round)
+      for (size_t i = 0; i < parts.size(); ++i) {
+        if ((subset >> i & 1u) == 0) continue;
+        dvec3 left = colour;
+        for (size_t k = 0; k < parts.size(); ++k)
+          if (k != i) left -= amounts[k] * parts[k];
+        amounts[i] = std::max(dot(left, parts[i]) / dot(parts[i], parts[i]), 0.0);
+      }
+    dvec3 left = colour;
+    for (size_t k = 0; k < parts.size(); ++k) left -= amounts[k] * parts[k];
+    if (dot(left, left) < least * (1 - 1e-9)) {
+      least = dot(left, left);
+      best = amounts;
+    }
+  }
+  return best;
+}
+
+Lobe widened(Lobe lobe, float factor) {
+  const auto scale = [&](std::string_view name, float by) {
+    if (const ParameterRow* row = find_parameter(lobe.model, lobe.variant, name); row != nullptr) {
+      float& value = lobe.params[row->slot];
+      value = std::clamp(value * by, row->min, row->max);
+    }
+  };
+  for (const char* width : {"m", "alpha_x", "alpha_y"}) scale(width, factor);
+  // An exponent n is a width of sqrt(2 / (n + 2)).
+  for (const char* exponent : {"n", "nu", "nv"}) scale(exponent, 1 / (factor * factor));
+  return lobe;
+}
+
+}  // namespace
+
+EditLayer recoloured(const Spmm& spmm, vec3 from, vec3 to, const std::vector<vec3>& staying) {
+  const FitSums sums = fit_sums(spmm);
+  std::vector<dvec3> parts = {dvec3(from)};
+  for (const vec3& colour : staying) parts.emplace_back(colour);
+  return for_every_row(spmm, [&](BasisKey key) {
+    BasisEdit edit;
+    const dvec3 weight =
+        sums.weights[static_cast<size_t>(key.cluster) * spmm.dictionary.size() + static_cast<size_t>(key.basis)];
+    const std::vector<double> amounts = unmixed(weight, parts);
+    dvec3 before(0), after(0);
+    for (size_t i = 0; i < parts.size(); ++i) {
+      before += amounts[i] * parts[i];
+      after += amounts[i] * (i == 0 ? dvec3(to) : parts[i]);
+    }
+    for (int c = 0; c < 3; ++c)
+      if (before[c] > 0) edit.gain[c] = static_cast<float>(after[c] / before[c]);
+    return edit;
+  });
+}
+
+EditLayer with_gloss(const Spmm& spmm, float gain) {
+  return for_every_row(spmm, [&](BasisKey key) {
+    BasisEdit edit;
+    if (shines(spmm.dictionary[static_cast<size_t>(key.basis)])) edit.gain = vec3(gain);
+    return edit;
+  });
+}
+
+EditLayer with_roughness(const Spmm& spmm, float factor) {
+  return for_every_row(spmm, [&](BasisKey key) {
+    BasisEdit edit;
+    const Basis& basis = spmm.dictionary[static_cast<size_t>(key.basis)];
+    if (shines(basis)) edit.lobe = widened(basis.lobe, factor);
+    return edit;
+  });
+}
+
+EditLayer with_relief(const Spmm& spmm, float factor) {
+  return for_every_row(spmm, [&](BasisKey key) {
+    BasisEdit edit;
+    const vec3 n = spmm.dictionary[static_cast<size_t>(key.basis)].normal;
+    if (n.x != 0 || n.y != 0) edit.normal = normalize(vec3(n.x * factor, n.y * factor, n.z));
+    return edit;
+  });
+}
+
+std::vector<Change> changes() {
+  const vec3 white(1);
+  const vec3 leather(0.33f, 0.128f, 0.044f), leather_crease(0.115f, 0.036f, 0.012f);
+  const vec3 navy(0.045f, 0.08f, 0.26f), navy_crease(0.0157f, 0.0225f, 0.0709f);
+  const vec3 red(0.36f, 0.05f, 0.04f), sand(0.5f, 0.46f, 0.38f), green(0.05f, 0.24f, 0.1f);
+  const vec3 wool(0.36f, 0.045f, 0.04f), wool_second(0.5f, 0.12f, 0.1f);
+  const MesoSettings cloth = {{"ends", 8.f}, {"picks", 8.f}, {"mm", 6.f},
+                              {"warp", red}, {"weft", sand}, {"blend", 0.f}};
+  const auto with = [](MesoSettings settings, const MesoSettings& more) {
+    settings.insert(settings.end(), more.begin(), more.end());
+    return settings;
+  };
+  return {
+      {"calf: brown becomes navy",
+       "leather colour for another; the finish stays white",
+       "calf",
+       {},
+       {{"colour", navy}, {"crease_colour", navy_crease}},
+       [=](const Spmm& s) { return recoloured(s, leather, navy, {white}); }},
+      {"twill: the warp yarns become green", "yarn colour for another; the weft's stays", "twill", cloth,
+       with(cloth, {{"warp", green}}),
+       [=](const Spmm& s) {
+         return recoloured(s, red, green, {sand, white});
+       }},
+      {"calf: finish taken off",
+       "gain 0 of all functions that shine",
+       "calf",
+       {},
+       {{"coat", 0.f}},
+       [](const Spmm& s) { return with_gloss(s, 0); }},
+      {"calf: finish rougher, 0.25 to 0.4",
+       "widths of all functions that shine times 1.6",
+       "calf",
+       {},
+       {{"roughness", 0.4f}},
+       [](const Spmm& s) { return with_roughness(s, 1.6f); }},
+      {"crocodile: glaze halved",
+       "gain 0.5 of all functions that shine",
+       "crocodile",
+       {},
+       {{"coat", 0.5f}},
+       [](const Spmm& s) { return with_gloss(s, 0.5f); }},
+      {"calf: relief halved",
+       "slopes of all normals times 0.5",
+       "calf",
+       {},
+       {{"relief", 0.5f}},
+       [](const Spmm& s) { return with_relief(s, 0.5f); }},
+      {"twill: relief halved", "slopes of all normals times 0.5", "twill", cloth, with(cloth, {{"relief", 0.5f}}),
+       [](const Spmm& s) { return with_relief(s, 0.5f); }},
+      {"knit: dyed darker",
+       "all gains times 0.4",
+       "knit",
+       {},
+       {{"colour", 0.4f * wool}, {"second", 0.4f * wool_second}},
+       [=](const Spmm& s) { return recoloured(s, wool, 0.4f * wool, {white}); }},
+  };
+}
+
+}  // namespace vamp

@@ -1,0 +1,41 @@
+#include "bench/scene.h"
+
+#include <fmt/format.h>
+
+#include "engine/project/default_project.h"
+#include "engine/project/project_file.h"
+
+namespace vamp {
+namespace {
+
+std::shared_ptr<const Scene> without_part(const Scene& scene, int part) {
+  auto rest = std::make_shared<Scene>(scene);
+  rest->triangles.clear();
+  rest->triangle_part.clear();
+  for (size_t i = 0; i < scene.triangles.size(); ++i)
+    if (static_cast<int>(scene.triangle_part[i]) != part) {
+      rest->triangles.push_back(scene.triangles[i]);
+      rest->triangle_part.push_back(scene.triangle_part[i]);
+    }
+  finish_scene(*rest);
+  return rest;
+}
+
+}  // namespace
+
+Result<Project> bench_project(const std::string& file, const std::string& without) {
+  VAMP_TRY(Project project, file.empty() ? default_project() : open_scene(file));
+  if (!without.empty()) {
+    const int part = project.scene->find_part(without);
+    if (part < 0) return fail(ErrorKind::usage, "", "--without", "a part of the scene", "\"" + without + "\"");
+    project.scene = without_part(*project.scene, part);
+  }
+  return project;
+}
+
+std::string scene_words(const std::string& file, const Project& project) {
+  return fmt::format("{}, {} triangles", file.empty() ? "the shipped shoe" : file,
+                     fmt::group_digits(project.scene->triangles.size()));
+}
+
+}  // namespace vamp
