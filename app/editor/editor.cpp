@@ -116,8 +116,9 @@ void Editor::update_renderer() {
   start_renderer();
   if (!session_) return;
   context_.status = session_->status();
-  // While a value is being dragged nothing may lie over the colour that changes.
-  const Outlined selected{selection_.part, ui::edit_is_open() ? -1 : selection_.cluster};
+  // A cluster is tinted for those who look for it; while a value is dragged nothing lies over the colour that changes.
+  const bool tint = context_.show_cluster && !ui::edit_is_open();
+  const Outlined selected{selection_.part, tint ? selection_.cluster : -1};
   if (picture_.version() == 0 && session_->picture_version() > 0) tell_time("first tile");
   picture_.update(*session_, context_.show_outlines ? selected : Outlined{},
                   context_.show_outlines ? Outlined{context_.hover.part, -1} : Outlined{});

@@ -47,6 +47,7 @@ void Editor::draw_tools() {
   actions_.tool("view.fit");
   ui::tool_separator();
   actions_.tool("view.outlines");
+  actions_.tool("view.cluster", "Cluster");
   actions_.tool("render.pause");
   ui::tool_separator();
   actions_.tool("render.snapshot", "Snapshot…");

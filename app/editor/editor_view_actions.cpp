@@ -130,7 +130,16 @@ void Editor::add_view_actions() {
                 .shortcut = "Ctrl+H",
                 .run = [this] { context_.show_outlines = !context_.show_outlines; },
                 .checked = [this] { return context_.show_outlines; },
-                .tooltip = "Lines around the selection and what the mouse is over",
+                .tooltip = "Lines around the selected part and the one under the mouse; its colours stay as they are",
+                .group = 2});
+  actions_.add({.id = "view.cluster",
+                .label = "Show cluster",
+                .menu = "View",
+                .shortcut = "C",
+                .run = [this] { context_.show_cluster = !context_.show_cluster; },
+                .enabled = [this] { return context_.show_outlines; },
+                .checked = [this] { return context_.show_cluster; },
+                .tooltip = "Tints where the selected cluster lies, to look for it; switch it off to judge colours",
                 .group = 2});
   for (const ui::Panel& panel : dock_.panels()) {
     if (panel.central) continue;

@@ -38,8 +38,9 @@ struct PanelContext {
   ImVec2 viewport_size{0, 0};  // of its panel, in pixels; 0 before it was drawn
   Tool tool = Tool::pick;
   bool show_outlines = true;
-  Camera opened_camera;  // where the camera stood when the document was opened: what its rows go back to
-  Pick hover;            // what the mouse is over in the viewport; part -1 while it is elsewhere
+  bool show_cluster = false;  // the selected cluster is tinted in the picture
+  Camera opened_camera;       // where the camera stood when the document was opened: what its rows go back to
+  Pick hover;                 // what the mouse is over in the viewport; part -1 while it is elsewhere
 
   // What was copied from a part, and the model that it was copied in.
   std::optional<MaterialInstance> copied_material;

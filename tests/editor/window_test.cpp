@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "engine/image/load.h"
 #include "tests/editor/window_fixture.h"
@@ -58,6 +59,39 @@ TEST_F(Window, UndoBringsBackWhatWasThere) {
   editor.key("ctrl+s");
   EXPECT_TRUE(wait_until([&] { return edited_rows(document()) == 0; }));
   EXPECT_EQ(read_text(document(), 1 << 24).value_or("none"), before);
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
+// What is edited can be judged: lines stand around the part that is selected, and nothing lies over it.
+TEST_F(Window, ASelectionLeavesTheColoursOfItsPartAlone) {
+  auto project = open_scene(document());
+  ASSERT_TRUE(project) << project.error().message();
+  project->settings.max_samples = 1;  // the first whole sample stays
+  ASSERT_TRUE(save_project(*project, document()));
+  EditorRun editor(display(), home(), {document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  const auto changed_pixels = [](const Image& a, const Image& b) {
+    size_t changed = 0;
+    for (int y = 300; y < 560; ++y)
+      for (int x = 400; x < 700; ++x) {
+        bool differs = false;
+        for (size_t c = 0; c < 3; ++c) differs = differs || std::abs(a.at(x, y, c) - b.at(x, y, c)) > 0.01f;
+        changed += differs ? 1 : 0;
+      }
+    return changed;
+  };
+  editor.move(30, 760);  // beside the picture
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const Image before = editor.screen();
+  editor.click(554, 420);
+  editor.move(30, 760);
+  ASSERT_TRUE(wait_until([&] { return !sliders(editor.screen()).empty(); })) << editor.log();
+  const size_t outline = changed_pixels(before, editor.screen());
+  EXPECT_GT(outline, 100u);
+  EXPECT_LT(outline, 260u * 300u / 20);
+  editor.key("c");  // shows where its cluster lies
+  EXPECT_TRUE(wait_until([&] { return changed_pixels(before, editor.screen()) > 3 * outline; }));
   editor.key("ctrl+q");
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
 }
