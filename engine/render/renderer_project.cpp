@@ -86,6 +86,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, *scene_tables_, key_.storage_fetch));
     change.bytes += bytes;
     new_tables = true;
+    change.places_moved = true;
     restart("geometry");
   }
   const bool new_geometry = new_tables;
@@ -186,7 +187,10 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   key_ = key;
 
   if (project_) {
-    if (now.camera != project_->camera) restart("camera");
+    if (now.camera != project_->camera) {
+      change.places_moved = true;
+      restart("camera");
+    }
     if (now.settings.seed != project_->settings.seed || now.settings.ao_radius != project_->settings.ao_radius)
       restart("sampling settings");
     const bool turned = now.environment.rotation != project_->environment.rotation ||

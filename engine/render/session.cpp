@@ -98,7 +98,7 @@ class RenderSession::Impl {
 
   bool copy_ids(std::vector<uint32_t>& ids, int& width, int& height, uint64_t& version) const {
     const std::lock_guard lock(picture_mutex_);
-    if (version == ids_version_ || ids_.empty()) return false;
+    if (version == ids_version_) return false;
     ids = ids_;
     width = ids_size_.x;
     height = ids_size_.y;
@@ -230,6 +230,7 @@ class RenderSession::Impl {
       const std::lock_guard lock(picture_mutex_);
       drawn_ = {project, renderer_.scene_tables(), renderer_.part_rows()};
     }
+    if (change->restarted && change->places_moved) forget_ids();
     if (change->restarted) restart(reason.empty() ? change->what : reason);
     if (change->reshaded > 0) begin_shading_again(reason.empty() ? change->what : reason, *change);
     if (change->recomposed && renderer_.region().width > 0) {
@@ -254,6 +255,7 @@ class RenderSession::Impl {
       picture_.assign(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0xff202020u);
       picture_size_ = size;
     }
+    forget_ids();
     restart(first ? "opened" : "window resized");
   }
 
@@ -356,6 +358,15 @@ class RenderSession::Impl {
     }
     pass_start_ = Clock::now();
     pass_whole_ = true;
+  }
+
+  // What was drawn from them would stand where things were.
+  void forget_ids() {
+    const std::lock_guard lock(picture_mutex_);
+    if (ids_.empty()) return;
+    ids_.clear();
+    ids_size_ = ivec2(0);
+    ++ids_version_;
   }
 
   void update_ids() {

@@ -68,7 +68,7 @@ class RenderSession {
   Pick pick(float x, float y) const;
 
   // Part (low 16 bits) and cluster (high 16 bits) + 1 of each pixel's centre, 0 where nothing is; for outlines. Empty
-  // until known; `version` as in copy_picture.
+  // until known for the view that the picture shows; `version` as in copy_picture.
   bool copy_ids(std::vector<uint32_t>& ids, int& width, int& height, uint64_t& version) const;
 
   // The linear accumulators of the picture so far, as a fresh command-line render writes them (RGBA float).

@@ -1,0 +1,63 @@
+// What the interactive renderer tells of its picture while the view moves.
+#include "engine/render/session.h"
+
+#include <chrono>
+#include <thread>
+
+#include "tests/render/render_test.h"
+
+namespace vamp {
+namespace {
+
+// The numbers of what each pixel shows, as the last copy_ids() that had news gave them.
+struct Ids {
+  std::vector<uint32_t> pixels;
+  int width = 0, height = 0;
+  uint64_t version = 0;
+  bool update(const RenderSession& session) { return session.copy_ids(pixels, width, height, version); }
+};
+
+template <class Holds>
+bool soon(Holds holds) {
+  for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(50)))
+    if (holds()) return true;
+  return false;
+}
+
+TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
+  SceneBuilder scene;
+  scene.add_box("box", vec3(-0.5f), vec3(0.5f));
+  Project project = dark_project(scene.build());
+  project.camera = {.eye = vec3(0, 1, 3), .target = vec3(0)};
+  Light light;
+  light.center = vec3(0, 3, 3);
+  light.power = 10;
+  project.lights = {light};
+  RenderSession session(*device, std::make_shared<const Project>(project), 32, 24);
+  Ids ids;
+  ASSERT_TRUE(soon([&] { return ids.update(session); }));
+  EXPECT_EQ(ids.pixels.size(), 32u * 24u);
+
+  // While it is paused each change is shown in a first look, and nothing is refined.
+  session.pause(true);
+  const auto show = [&](const Project& next) {
+    const auto shared = std::make_shared<const Project>(next);
+    const uint64_t before = session.picture_version();
+    session.set_project(shared, "");
+    return soon([&] { return session.status().project == shared && session.picture_version() > before; });
+  };
+  project.lights[0].center.x = 1;
+  ASSERT_TRUE(show(project));
+  EXPECT_FALSE(ids.update(session) && ids.pixels.empty());
+  project.camera.eye.x = 1;
+  ASSERT_TRUE(show(project));
+  EXPECT_TRUE(ids.update(session));
+  EXPECT_TRUE(ids.pixels.empty());
+
+  session.pause(false);
+  ASSERT_TRUE(soon([&] { return ids.update(session); }));
+  EXPECT_EQ(ids.pixels.size(), 32u * 24u);
+}
+
+}  // namespace
+}  // namespace vamp
