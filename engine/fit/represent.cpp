@@ -5,6 +5,7 @@
 
 #include "engine/core/half.h"
 #include "engine/material/directions.h"
+#include "engine/material/reflectance.h"
 
 namespace vamp::fit {
 namespace {
@@ -58,21 +59,38 @@ Result<Rows> resample(const Rows& rows, const std::vector<vec3>& from, const Pai
   return out;
 }
 
-Result<SpmmValues> SpmmValues::make(const Spmm& spmm, const Pairs& pairs) {
+Result<SpmmValues> SpmmValues::make(const Spmm& spmm, const Pairs& pairs, const EditLayer& edits) {
   SpmmValues values;
   values.spmm_ = &spmm;
-  values.columns_ = Rows(spmm.dictionary.size(), pairs.count());
-  for (size_t j = 0; j < spmm.dictionary.size(); ++j)
-    evaluate_column(spmm.dictionary[j], pairs, nullptr, values.columns_.row(j));
+  const size_t bases = spmm.dictionary.size();
+  std::vector<Basis> shapes = spmm.dictionary;
+  for (size_t c = 0; c < spmm.clusters.size(); ++c) {
+    const bool solo = any_solo(edits, static_cast<int>(c));
+    for (size_t j = 0; j < bases; ++j) {
+      const BasisKey key{static_cast<int>(c), static_cast<int>(j)};
+      Basis basis = effective_basis(spmm, edits, key);
+      const bool reshaped = !(basis == spmm.dictionary[j]);
+      values.column_of_.push_back(static_cast<uint32_t>(reshaped ? shapes.size() : j));
+      values.gains_.push_back(effective_gain(edits.edit_of(key), solo));
+      if (reshaped) shapes.push_back(std::move(basis));
+    }
+  }
+  values.columns_ = Rows(shapes.size(), pairs.count());
+  for (size_t j = 0; j < shapes.size(); ++j) evaluate_column(shapes[j], pairs, nullptr, values.columns_.row(j));
   if (spmm.residual.records.empty()) return values;
   const size_t n = spmm.residual.directions.size(), each = static_cast<size_t>(spmm.residual.terms) + 1;
+  values.terms_ = std::min(edits.residual_terms, spmm.residual.terms);
+  const EditedTables edited = edited_tables(spmm, edits);
   Rows records(spmm.clusters.size() * each, 3 * n * n);
-  for (size_t c = 0; c < spmm.clusters.size(); ++c)
+  for (size_t c = 0; c < spmm.clusters.size(); ++c) {
+    const tables::ClusterRow& row = edited.clusters[c];
+    const std::array<float, 3> scale = {row.residual_red, row.residual_green, row.residual_blue};
     for (size_t pair = 0; pair < n * n; ++pair) {
       const tables::ResidualRecord& record = spmm.residual.records[c * n * n + pair];
       for (size_t i = 0; i < 3 * each; ++i)
-        records.row(c * each + i / 3)[i % 3 * n * n + pair] = half(record.halves[i / 2] >> (i % 2 * 16));
+        records.row(c * each + i / 3)[i % 3 * n * n + pair] = scale[i % 3] * half(record.halves[i / 2] >> (i % 2 * 16));
     }
+  }
   VAMP_TRY(values.residual_, resample(records, spmm.residual.directions, pairs));
   return values;
 }
@@ -81,11 +99,14 @@ void SpmmValues::functions(size_t texel, float* out) const {
   const tables::Texel& row = spmm_->texels[texel];
   const size_t pairs = columns_.length;
   std::fill(out, out + 3 * pairs, 0.f);
+  const size_t first = (row.cluster_count & 0xffu) * spmm_->dictionary.size();
   for (size_t i = 0; i < (row.cluster_count >> 8 & 0xffu); ++i) {
     const tables::Entry& entry = spmm_->entries[row.first_entry + i];
-    const std::array<float, 3> weights = {half(entry.basis_red >> 16), half(entry.green_blue),
-                                          half(entry.green_blue >> 16)};
-    add_combinations(weights.data(), 3, columns_.row(entry.basis_red & 0xffffu), 1, pairs, out);
+    const size_t at = first + (entry.basis_red & 0xffffu);
+    const vec3 gain = gains_[at];
+    const std::array<float, 3> weights = {gain.x * half(entry.basis_red >> 16), gain.y * half(entry.green_blue),
+                                          gain.z * half(entry.green_blue >> 16)};
+    add_combinations(weights.data(), 3, columns_.row(column_of_[at]), 1, pairs, out);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/fit/coordinates.h"
-#include "engine/material/spmm.h"
+#include "engine/material/edit_layer.h"
 #include "engine/material/tables.h"
 
 namespace vamp::fit {
@@ -20,21 +20,25 @@ Result<Interpolation> interpolate(const std::vector<vec3>& from, const std::vect
 // light fades as the renderer fades it.
 Result<Rows> resample(const Rows& rows, const std::vector<vec3>& from, const Pairs& to);
 
-// A material's functions and residual over some pairs.
+// A material's functions and residual over some pairs, after edits.
 class SpmmValues {
  public:
-  static Result<SpmmValues> make(const Spmm& spmm, const Pairs& pairs);
+  // The material must outlive it.
+  static Result<SpmmValues> make(const Spmm& spmm, const Pairs& pairs, const EditLayer& edits = {});
 
   // The functions alone, [channel][pair].
   void functions(size_t texel, float* out) const;
   // Adds the residual's mean (k = 0) or its term k from 1 up.
   void add_residual(size_t texel, int k, float* out) const;
-  int terms() const { return spmm_->residual.records.empty() ? -1 : spmm_->residual.terms; }
+  int terms() const { return terms_; }  // -1: there is no residual
 
  private:
   const Spmm* spmm_ = nullptr;
-  Rows columns_;   // one a basis
-  Rows residual_;  // [cluster][mean, terms]
+  int terms_ = -1;
+  Rows columns_;                     // one a basis, then one a row of the edit layer that has another shape
+  std::vector<uint32_t> column_of_;  // [cluster][basis]
+  std::vector<vec3> gains_;          // [cluster][basis]
+  Rows residual_;                    // [cluster][mean, terms]
 };
 
 }  // namespace vamp::fit
