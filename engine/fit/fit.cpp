@@ -155,7 +155,10 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
   const double wanted = options.error > 0 ? options.error * options.error * square
                                           : fullest * (1 + options.slack) * (1 + options.slack) + 1e-12 * square;
   const std::vector<size_t> counts = counts_at(codes, price_for(codes, wanted));
-  report.errors = {std::sqrt(error_of(codes, counts) / square)};
+  const double left = error_of(codes, counts);
+  report.errors = {std::sqrt(left / square)};
+  const auto values = static_cast<double>(codes.size() * kChannels * design.columns.length);
+  const std::vector<Step> steps = weight_steps(design, std::sqrt(left / values));
   std::vector<TexelWeights> weights(codes.size());
   report.histogram.assign(static_cast<size_t>(options.functions) + 1, 0);
   size_t total = 0;
@@ -163,7 +166,10 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
     const auto& order = codes[t].path.order;
     weights[t].bases.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(counts[t]));
     weights[t].weights = weights_of(codes[t], counts[t], design.gram, design.columns.count);
-    for (float& weight : weights[t].weights) weight = stored(weight);
+    for (size_t i = 0; i < weights[t].weights.size(); ++i) {
+      float& weight = weights[t].weights[i];
+      weight = stored(weight, steps[static_cast<size_t>(weights[t].bases[i / kChannels])]);
+    }
     total += counts[t];
     ++report.histogram[counts[t]];
   }
@@ -174,9 +180,10 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
 // What each cluster's functions reflect of light from everywhere.
 std::vector<vec3> cluster_colours(const Spmm& spmm) {
   const FitSums sums = fit_sums(spmm);
+  AlbedoCurves curves;
   std::vector<vec3> colours;
   for (size_t c = 0; c < spmm.clusters.size(); ++c)
-    colours.emplace_back(cluster_reflectance(spmm, {}, sums, static_cast<int>(c)));
+    colours.emplace_back(cluster_reflectance(spmm, {}, sums, static_cast<int>(c), curves));
   return colours;
 }
 
@@ -250,7 +257,11 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
     if (stopped()) return JobQueue::cancelled_error();
   }
 
-  result.spmm = bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms);
+  const double left =
+      report.errors.back() *
+      std::sqrt(found.square / static_cast<double>(measurement.texels() * measurement.values()));
+  result.spmm =
+      bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms, left);
   for (const Basis& basis : dictionary.bases) report.filler.push_back(is_filler(basis, limits));
   name_functions(result.spmm.dictionary, limits);
   result.spmm.clusters = name_clusters(cluster_colours(result.spmm));

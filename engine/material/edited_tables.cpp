@@ -26,22 +26,10 @@ tables::BasisRow basis_row(const Basis& basis, const PackedLobe& packed, vec3 ga
           packed.tag};
 }
 
-// Share of the cluster's fitted reflectance in functions whose shape is unedited, each times its gain.
-dvec3 unreshaped_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster) {
-  EditLayer unreshaped = edits;
-  for (auto& [key, edit] : unreshaped.bases)
-    if (key.cluster == cluster && (edit.lobe || edit.normal || edit.psi)) {
-      edit.lobe.reset(), edit.normal.reset(), edit.psi.reset();
-      edit.mute = true;
-    }
-  return cluster_reflectance(spmm, unreshaped, sums, cluster);
-}
-
-vec3 residual_scale(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster) {
-  const dvec3 fitted = cluster_reflectance(spmm, {}, sums, cluster);
-  const dvec3 edited = edits.residual_policy == ResidualPolicy::follow
-                           ? cluster_reflectance(spmm, edits, sums, cluster)
-                           : unreshaped_reflectance(spmm, edits, sums, cluster);
+vec3 residual_scale(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster, AlbedoCurves& curves) {
+  const dvec3 fitted = cluster_reflectance(spmm, {}, sums, cluster, curves);
+  const Shapes shapes = edits.residual_policy == ResidualPolicy::follow ? Shapes::all : Shapes::fitted_only;
+  const dvec3 edited = cluster_reflectance(spmm, edits, sums, cluster, curves, shapes);
   vec3 scale;
   for (int c = 0; c < 3; ++c) scale[c] = fitted[c] < kMinReflectance ? 1.f : static_cast<float>(edited[c] / fitted[c]);
   return scale;
@@ -62,6 +50,7 @@ EditedTables edited_tables(const Spmm& spmm, const EditLayer& edits, const FitSu
   out.clusters.assign(spmm.clusters.size(), {strength, strength, strength, 0});
 
   std::optional<FitSums> own;
+  AlbedoCurves curves;
   for (auto row = edits.bases.begin(); row != edits.bases.end();) {
     const int cluster = row->first.cluster;
     CHECK(cluster >= 0 && static_cast<size_t>(cluster) < spmm.clusters.size());
@@ -79,7 +68,7 @@ EditedTables edited_tables(const Spmm& spmm, const EditLayer& edits, const FitSu
     }
     if (!changed || spmm.residual.records.empty() || edits.residual_policy == ResidualPolicy::keep) continue;
     if (sums == nullptr) sums = &own.emplace(fit_sums(spmm));
-    const vec3 scale = residual_scale(spmm, edits, *sums, cluster) * strength;
+    const vec3 scale = residual_scale(spmm, edits, *sums, cluster, curves) * strength;
     out.clusters[static_cast<size_t>(cluster)] = {scale.x, scale.y, scale.z, 0};
   }
   return out;

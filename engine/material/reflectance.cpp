@@ -20,15 +20,24 @@ double normal_albedo(const Basis& basis) {
   return double{lobe_albedo(basis.lobe, std::clamp(basis.normal.z, 0.f, 1.f))};
 }
 
-double mean_reflectance(const Basis& basis) {
-  if (basis.lobe.model == Model::lambert) return double{lobe_albedo(basis.lobe, 1.f)};
-  // Albedo is smooth in the viewer's cosine: 17 values serve, denser towards grazing where it bends.
-  constexpr int kNodes = 16;
-  std::array<double, kNodes + 1> albedo;
-  for (int i = 0; i <= kNodes; ++i) {
-    const float t = std::max(static_cast<float>(i) / kNodes, 0.02f);
-    albedo[static_cast<size_t>(i)] = double{lobe_albedo(basis.lobe, t * t)};
+AlbedoCurve albedo_curve(const Lobe& lobe) {
+  AlbedoCurve curve;
+  for (size_t i = 0; i < curve.size(); ++i) {
+    const float t = std::max(static_cast<float>(i) / static_cast<float>(curve.size() - 1), 0.02f);
+    curve[i] = double{lobe_albedo(lobe, t * t)};
   }
+  return curve;
+}
+
+const AlbedoCurve& AlbedoCurves::of(const Lobe& lobe) {
+  for (const auto& [known, curve] : known_)
+    if (known == lobe) return curve;
+  return known_.emplace_back(lobe, albedo_curve(lobe)).second;
+}
+
+double mean_reflectance(const Basis& basis, const AlbedoCurve& curve) {
+  if (basis.lobe.model == Model::lambert) return curve.back();
+  constexpr int kNodes = std::tuple_size_v<AlbedoCurve> - 1;
   // Viewers: equal areas of the projected hemisphere, 16 rings of 16 azimuths.
   constexpr int kRings = 16, kAzimuths = 16;
   double sum = 0;
@@ -42,7 +51,7 @@ double mean_reflectance(const Basis& basis) {
       const double t = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * kNodes;
       const int node = std::min(static_cast<int>(t), kNodes - 1);
       const auto low = static_cast<size_t>(node);
-      sum += albedo[low] + (albedo[low + 1] - albedo[low]) * (t - node);
+      sum += curve[low] + (curve[low + 1] - curve[low]) * (t - node);
     }
   return sum / (kRings * kAzimuths);
 }
@@ -64,7 +73,8 @@ FitSums fit_sums(const Spmm& spmm) {
   }
   for (const Basis& basis : spmm.dictionary) {
     sums.normal_albedo.push_back(normal_albedo(basis));
-    sums.mean_reflectance.push_back(mean_reflectance(basis));
+    sums.curves.push_back(albedo_curve(basis.lobe));
+    sums.mean_reflectance.push_back(mean_reflectance(basis, sums.curves.back()));
   }
   return sums;
 }
@@ -80,7 +90,8 @@ vec3 effective_gain(const BasisEdit& edit, bool cluster_has_solo) {
   return edit.mute || (cluster_has_solo && !edit.solo) ? vec3(0) : edit.gain;
 }
 
-dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster) {
+dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster,
+                          AlbedoCurves& curves, Shapes shapes) {
   const bool solo = any_solo(edits, cluster);
   const size_t bases = spmm.dictionary.size();
   dvec3 total(0);
@@ -88,7 +99,10 @@ dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSum
     const BasisKey key{cluster, static_cast<int>(j)};
     const BasisEdit edit = edits.edit_of(key);
     const bool reshaped = edit.lobe || edit.normal || edit.psi;
-    const double mean = reshaped ? mean_reflectance(effective_basis(spmm, edits, key)) : sums.mean_reflectance[j];
+    if (reshaped && shapes == Shapes::fitted_only) continue;
+    double mean = sums.mean_reflectance[j];
+    if (reshaped)
+      mean = mean_reflectance(effective_basis(spmm, edits, key), edit.lobe ? curves.of(*edit.lobe) : sums.curves[j]);
     total += sums.weights[static_cast<size_t>(cluster) * bases + j] * dvec3(effective_gain(edit, solo)) * mean;
   }
   return total / std::max(sums.texels[static_cast<size_t>(cluster)], 1.0);

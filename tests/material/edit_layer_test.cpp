@@ -109,7 +109,9 @@ TEST(EditedTables, TheResidualFollowsTheParametricPart) {
   BasisEdit edit;
   edit.gain = {3, 1, 0};
   edits.set({1, 0}, edit);
-  const dvec3 fitted = cluster_reflectance(spmm, {}, sums, 1), edited = cluster_reflectance(spmm, edits, sums, 1);
+  AlbedoCurves curves;
+  const dvec3 fitted = cluster_reflectance(spmm, {}, sums, 1, curves),
+              edited = cluster_reflectance(spmm, edits, sums, 1, curves);
   const tables::ClusterRow row = edited_tables(spmm, edits).clusters[1];
   EXPECT_NEAR(row.residual_red, edited.x / fitted.x, 1e-6);
   EXPECT_NEAR(row.residual_green, 1, 1e-6);
