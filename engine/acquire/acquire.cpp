@@ -56,6 +56,9 @@ Report summary(std::vector<float> errors) {
   return report;
 }
 
+// Rows of a BTF run downwards, against the y axis of its directions.
+size_t place_of_row(size_t row, const BtfInfo& info) { return info.height - 1 - row; }
+
 // What has been done, beside the unfinished file.
 struct State {
   fs::path path;
@@ -155,7 +158,7 @@ Result<Report> measure(Mesostructure structure, const Options& options, const fs
     std::vector<float> errors(info.width);
     for (size_t x = 0; x < info.width; ++x) {
       if (progress.cancelled()) return false;
-      errors[x] = meter.measure(x, row);
+      errors[x] = meter.measure(x, place_of_row(row, info));
       btf->write_texel(row * info.width + x, meter.values());
     }
     const std::lock_guard lock(mutex);
@@ -199,7 +202,7 @@ Result<Btf> measure_in_memory(Mesostructure structure, const Options& options, s
     TexelMeter meter(goniometer, directions, options);
     for (size_t x = 0; x < width; ++x) {
       const size_t texel = static_cast<size_t>(y) * width + x;
-      errors[texel] = meter.measure(x, static_cast<size_t>(y));
+      errors[texel] = meter.measure(x, place_of_row(static_cast<size_t>(y), btf.info()));
       btf.write_texel(texel, meter.values());
     }
     return true;

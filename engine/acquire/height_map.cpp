@@ -11,7 +11,8 @@ namespace {
 
 // Between the four pixels around a point of the period, pixels' middles being where they are exact.
 float sample(const Image& image, double u, double v, size_t channel) {
-  const double x = u * image.width - 0.5, y = v * image.height - 0.5;
+  // The top row of the picture is the top row of the BTF.
+  const double x = u * image.width - 0.5, y = (1 - v) * image.height - 0.5;
   const double x0 = std::floor(x), y0 = std::floor(y);
   const auto at = [&](double i, double j) {
     const auto wrap = [](double k, int size) { return (static_cast<int>(k) % size + size) % size; };

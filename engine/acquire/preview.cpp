@@ -31,7 +31,7 @@ Image preview(const Mesostructure& structure, int side, int samples, int threads
       Random random(hash_bits(static_cast<uint64_t>(x), static_cast<uint64_t>(y)));
       for (int s = 0; s < samples; ++s) {
         const vec2 place((static_cast<float>(x % side) + random.next()) / static_cast<float>(side),
-                         (static_cast<float>(y) + random.next()) / static_cast<float>(side));
+                         1 - (static_cast<float>(y) + random.next()) / static_cast<float>(side));
         goniometer.trace(place, views[picture], random, radiance);
       }
       for (size_t c = 0; c < 3; ++c) {

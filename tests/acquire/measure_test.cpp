@@ -121,6 +121,15 @@ TEST_F(Measure, SaysOfItselfThatItIsSyntheticAndHowSureItIs) {
   EXPECT_LE(report->median_error, report->worst_error);
 }
 
+TEST(Texels, TheTopRowLiesWhereTheYAxisPoints) {
+  // White above the middle, black below.
+  const auto skin = [](double, double v) { return Skin{0, v > 0.5 ? vec3(1) : vec3(0), 0, 0}; };
+  std::vector<float> errors;
+  const auto btf = measure_in_memory({"halves", 1, height_field(16, 1, skin), {Matter{}}}, options(4, 4, 1), errors);
+  ASSERT_TRUE(btf);
+  for (size_t texel = 0; texel < 16; ++texel) EXPECT_EQ(btf->at(texel, 0, 0, 0) > 0.1f, texel < 8) << texel;
+}
+
 TEST_F(Measure, APlaceThatCannotBeWrittenToIsOneError) {
   Progress progress;
   const auto report = measure(test::bumps(16, 0.6f, true), options(4, 1, 1), folder / "nowhere" / "x.btf", progress);
