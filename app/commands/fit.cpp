@@ -15,6 +15,9 @@
 #include "engine/btf/load_btf.h"
 #include "engine/core/json.h"
 #include "engine/core/progress.h"
+#include "engine/fit/srf.h"
+#include "engine/fit/swatch.h"
+#include "engine/image/save.h"
 #include "engine/material/preset.h"
 #include "engine/material/reflectance.h"
 #include "engine/material/tables.h"
@@ -22,11 +25,13 @@
 namespace vamp {
 namespace {
 
+constexpr int kThumbnailSide = 256;
+
 // The command line's words; empty where an option is not given.
 struct FitText {
-  std::string btf, output, name;
+  std::string btf, output, name, tags;
   std::string clusters, representatives, functions, terms, bases, error, seed, threads, left_out;
-  std::string weights = "elimination";
+  std::string weights = "elimination", kind = "spmm";
   bool per_cluster = false;
 };
 
@@ -149,44 +154,89 @@ void print_text(const fit::FitResult& result, const FitText& text, double second
 }
 
 // Where it came from, in a sentence that stays with the preset.
-std::string provenance(const BtfInfo& info, const fit::FitReport& report) {
+std::string provenance(const BtfInfo& info, const std::string& how_good) {
   std::string text = info.provenance;
   if (!text.empty() && text.back() != '.') text += '.';
   if (info.synthetic) text += text.empty() ? "Computed, not measured." : " Computed, not measured.";
   if (!text.empty()) text += ' ';
-  return text + fmt::format("Fitted by vamp fit: relative RMSE {} with the functions alone, {} with the residual.",
-                            percent(report.errors.front()), percent(report.errors.back()));
+  return text + fmt::format("Fitted by vamp fit: {}.", how_good);
+}
+
+// A fitted material as a preset: what it is called, where it came from, how it looks.
+Status save(const FitText& text, const BtfInfo& info, Spmm spmm, std::string how_good, const Image& thumbnail) {
+  Preset preset;
+  preset.name = !text.name.empty() ? text.name : !info.name.empty() ? info.name : fs::path(text.output).stem().string();
+  preset.tags = {info.synthetic ? "synthetic" : "measured"};
+  for (const std::string_view tag : list_option(text.tags)) preset.tags.emplace_back(tag);
+  preset.provenance = provenance(info, how_good);
+  preset.licence = info.licence;
+  preset.fit = std::make_shared<const Spmm>(std::move(spmm));
+  VAMP_TRY(preset.thumbnail_png, encode_png(thumbnail));
+  return save_preset(preset, text.output);
+}
+
+// Reads the measurement and fits by fit(btf, progress) with a line of progress, then draws the material.
+template <class Fit>
+auto fitted(const FitText& text, std::optional<Result<Btf>>& btf, Image& thumbnail, const Fit& fit)
+    -> std::decay_t<decltype(fit(**btf, nullptr))> {
+  using Result = std::decay_t<decltype(fit(**btf, nullptr))>;
+  catch_interrupts();
+  Progress progress;
+  std::optional<Result> result;
+  run_with_progress("Fit", progress, [&] {
+    progress.stage("Reading the measurement");
+    btf = load_btf(text.btf, {}, &progress);
+    if (!*btf) return;
+    result = fit(**btf, &progress);
+    if (!*result) return;
+    progress.stage("Drawing the thumbnail");
+    thumbnail = fit::material_swatch((*result)->spmm, kThumbnailSide, 2);
+  });
+  if (!*btf) return tl::unexpected(btf->error());
+  return std::move(*result);
+}
+
+Status run_srf(const FitText& text, const fit::FitOptions& options, const CommonOptions& common) {
+  std::optional<Result<Btf>> btf;
+  Image thumbnail;
+  VAMP_TRY(fit::SrfResult result, fitted(text, btf, thumbnail, [&](const Btf& from, Progress* progress) {
+             const int clusters = text.clusters.empty() ? fit::SrfOptions().clusters : options.clusters;
+             return fit::fit_srf(from, {clusters, options.seed, options.threads}, progress);
+           }));
+  const std::string how_good =
+      fmt::format("as a spatial reflectance field (Ma et al. 2004): relative RMSE {}, {} as it is stored",
+                  percent(result.report.exact_error), percent(result.report.stored_error));
+  const uint64_t bytes = bytes_on_gpu(result.spmm);
+  VAMP_CHECK_STATUS(save(text, (*btf)->info(), std::move(result.spmm), how_good, thumbnail));
+  if (common.json) {
+    Json json{{"file", text.output}, {"btf", text.btf}, {"kind", "srf"}, {"bytes_on_gpu", bytes}};
+    json["relative_rmse"] = {{"exact", json_number(static_cast<float>(result.report.exact_error))},
+                             {"stored", json_number(static_cast<float>(result.report.stored_error))}};
+    fmt::print("{}", print_json(json));
+  } else {
+    fmt::print("{}: {}\n", text.output, how_good);
+  }
+  return {};
 }
 
 Status run_fit(const FitText& text, const CommonOptions& common) {
   VAMP_TRY(const fit::FitOptions options, read_options(text));
   VAMP_CHECK_STATUS(check_output(text.output));
-  catch_interrupts();
-  Progress progress;
-  std::optional<Result<fit::FitResult>> result;
+  if (text.kind == "srf") return run_srf(text, options, common);
   std::optional<Result<Btf>> btf;
+  Image thumbnail;
   const auto start = std::chrono::steady_clock::now();
-  run_with_progress("Fit", progress, [&] {
-    progress.stage("Reading the measurement");
-    btf = load_btf(text.btf, {}, &progress);
-    if (*btf) result = fit::fit_spmm(**btf, options, &progress);
-  });
-  if (!*btf) return tl::unexpected(btf->error());
-  if (!*result) return tl::unexpected(result->error());
+  VAMP_TRY(const fit::FitResult result, fitted(text, btf, thumbnail, [&](const Btf& from, Progress* progress) {
+             return fit::fit_spmm(from, options, progress);
+           }));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-
-  Preset preset;
-  const BtfInfo& info = (*btf)->info();
-  preset.name = !text.name.empty() ? text.name : !info.name.empty() ? info.name : fs::path(text.output).stem().string();
-  preset.tags = {info.synthetic ? "synthetic" : "measured"};
-  preset.provenance = provenance(info, (*result)->report);
-  preset.licence = info.licence;
-  preset.fit = std::make_shared<const Spmm>((*result)->spmm);
-  VAMP_CHECK_STATUS(save_preset(preset, text.output));
+  const std::string how_good = fmt::format("relative RMSE {} with the functions alone, {} with the residual",
+                                           percent(result.report.errors.front()), percent(result.report.errors.back()));
+  VAMP_CHECK_STATUS(save(text, (*btf)->info(), result.spmm, how_good, thumbnail));
   if (common.json) {
-    fmt::print("{}", print_json(figures(**result, text, seconds)));
+    fmt::print("{}", print_json(figures(result, text, seconds)));
   } else {
-    print_text(**result, text, seconds);
+    print_text(result, text, seconds);
   }
   return {};
 }
@@ -201,6 +251,7 @@ void add_fit(CLI::App& app, CommonOptions& common, Action& action) {
       ->type_name("PRESET")
       ->required();
   verb->add_option("--name", text->name, "Name of the preset; the BTF's by default")->type_name("NAME");
+  verb->add_option("--tags", text->tags, "Words to find the preset by")->type_name("WORD,WORD");
   verb->add_option("--clusters", text->clusters, "Groups of texels that share a residual; 32")->type_name("N");
   verb->add_option("--representatives", text->representatives, "Texels of each that lobes are fitted to; 8")
       ->type_name("N");
@@ -211,6 +262,11 @@ void add_fit(CLI::App& app, CommonOptions& common, Action& action) {
   verb->add_option("--weights", text->weights, "How weights are made sparse")
       ->type_name("WAY")
       ->check(CLI::IsMember({"elimination", "lasso", "stagewise"}))
+      ->capture_default_str();
+  verb->add_option("--kind", text->kind,
+                   "spmm: functions and residual; srf: one Blinn-Phong and a vector a texel (light, hardly editable)")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"spmm", "srf"}))
       ->capture_default_str();
   verb->add_flag("--per-cluster", text->per_cluster, "Give each cluster functions of its own, --bases at most");
   verb->add_option("--leave-out", text->left_out, "Rings of directions that take no part, for tests: polar angles")

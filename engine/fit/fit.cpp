@@ -39,18 +39,7 @@ class Stages {
 };
 
 Status check(const Btf& btf, const FitOptions& options) {
-  const BtfInfo& info = btf.info();
-  const auto refuse = [&](std::string_view place, std::string_view expected, std::string_view found) {
-    return fail(ErrorKind::bad_input, info.name, place, expected, found);
-  };
-  if (info.colour != BtfColour::rec709)
-    return refuse("colour", "reflectance in red, green and blue, which functions can stand for", "signed logarithms");
-  if (info.views.size() < 4 || info.lights.size() < 4)
-    return refuse("directions", "at least 4 views and 4 lights",
-                  fmt::format("{} and {}", info.views.size(), info.lights.size()));
-  if (std::max(info.width, info.height) > static_cast<uint32_t>(kMaxTexelSide))
-    return refuse("size", fmt::format("at most {} texels a side", kMaxTexelSide),
-                  fmt::format("{} x {}", info.width, info.height));
+  VAMP_CHECK_STATUS(check_measurement(btf));
   const auto range = [](std::string_view option, int value, int low, int high) -> Status {
     if (value >= low && value <= high) return {};
     return fail(ErrorKind::usage, "", option, fmt::format("{} to {}", low, high), std::to_string(value));
@@ -60,12 +49,6 @@ Status check(const Btf& btf, const FitOptions& options) {
   VAMP_CHECK_STATUS(range("--functions", options.functions, 1, 64));
   VAMP_CHECK_STATUS(range("--pca", options.terms, -1, kMaxResidualTerms));
   return range("--bases", options.bases, 1, 1024);
-}
-
-// Only what is measured under the same directions on both sides has a residual table.
-bool can_have_residual(const Measurement& measurement) {
-  const Pairs& pairs = measurement.pairs();
-  return pairs.views == pairs.lights && pairs.views.size() <= static_cast<size_t>(kMaxDirections);
 }
 
 Exemplars exemplars_of(const Measurement& measurement, const std::vector<Representative>& representatives,
@@ -175,16 +158,6 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
   }
   report.functions_per_texel = static_cast<double>(total) / static_cast<double>(codes.size());
   return weights;
-}
-
-// What each cluster's functions reflect of light from everywhere.
-std::vector<vec3> cluster_colours(const Spmm& spmm) {
-  const FitSums sums = fit_sums(spmm);
-  AlbedoCurves curves;
-  std::vector<vec3> colours;
-  for (size_t c = 0; c < spmm.clusters.size(); ++c)
-    colours.emplace_back(cluster_reflectance(spmm, {}, sums, static_cast<int>(c), curves));
-  return colours;
 }
 
 }  // namespace

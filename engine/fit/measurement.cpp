@@ -1,5 +1,7 @@
 #include "engine/fit/measurement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -37,6 +39,27 @@ double mean_spacing(const std::vector<vec3>& directions) {
 }
 
 }  // namespace
+
+Status check_measurement(const Btf& btf) {
+  const BtfInfo& info = btf.info();
+  const auto refuse = [&](std::string_view place, std::string_view expected, std::string_view found) {
+    return fail(ErrorKind::bad_input, info.name, place, expected, found);
+  };
+  if (info.colour != BtfColour::rec709)
+    return refuse("colour", "reflectance in red, green and blue, which functions can stand for", "signed logarithms");
+  if (info.views.size() < 4 || info.lights.size() < 4)
+    return refuse("directions", "at least 4 views and 4 lights",
+                  fmt::format("{} and {}", info.views.size(), info.lights.size()));
+  if (std::max(info.width, info.height) > static_cast<uint32_t>(kMaxTexelSide))
+    return refuse("size", fmt::format("at most {} texels a side", kMaxTexelSide),
+                  fmt::format("{} x {}", info.width, info.height));
+  return {};
+}
+
+bool can_have_residual(const Measurement& measurement) {
+  const Pairs& pairs = measurement.pairs();
+  return pairs.views == pairs.lights && pairs.views.size() <= static_cast<size_t>(kMaxDirections);
+}
 
 std::vector<double> projected_weights(const std::vector<vec3>& directions) {
   // Cells of a fine grid over the projected hemisphere, each given to the nearest direction.

@@ -37,6 +37,12 @@ class Measurement {
   double spacing_ = 0;
 };
 
+// bad_input for what lobes cannot stand for (signed logarithms), too few directions, too many texels.
+Status check_measurement(const Btf& btf);
+
+// Only what is measured under the same directions on both sides has a residual table.
+bool can_have_residual(const Measurement& measurement);
+
 // Projected solid angle (sum pi) of the hemisphere's part that lies nearest to each direction.
 std::vector<double> projected_weights(const std::vector<vec3>& directions);
 

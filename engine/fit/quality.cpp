@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
-#include <random>
 #include <thread>
 
 #include "engine/core/jobs.h"
+#include "engine/fit/cost.h"
 #include "engine/fit/pictures.h"
 #include "engine/fit/represent.h"
+#include "engine/fit/shared_residual.h"
 #include "engine/fit/simple.h"
 
 namespace vamp::fit {
@@ -33,52 +33,79 @@ bool measured(const std::vector<vec3>& directions, vec3 w) {
 
 double degrees(vec3 w) { return std::acos(std::clamp(double{w.z}, -1.0, 1.0)) * 180 / 3.14159265358979324; }
 
-// The representations of one texel in their order, each built on the one before: functions, mean, terms; SVD ranks.
-class Stack {
- public:
-  Stack(const SpmmValues& spmm, const Rows& directions, const Rows& coordinates, std::vector<size_t> ranks,
-        const SimpleModels& simple, const Pairs& pairs)
-      : spmm_(spmm),
-        directions_(directions),
-        coordinates_(coordinates),
-        ranks_(std::move(ranks)),
-        simple_(simple),
-        simple_columns_(simple.columns_at(pairs)) {}
+// What is compared with the measurement, texel by texel, in the order of the report.
+struct Candidates {
+  const SpmmValues& spmm;
+  const Rows &svd_rows, &svd_coordinates;
+  std::vector<size_t> ranks;
+  const Rows &shared_rows, &shared_coordinates;
+  std::vector<size_t> shared;
+  const SimpleModels& simple;
+  Rows simple_columns;
 
-  size_t count() const { return static_cast<size_t>(spmm_.terms() + 2) + ranks_.size() + 2; }
+  size_t count() const { return static_cast<size_t>(spmm.terms() + 2) + ranks.size() + shared.size() + 2; }
 
-  // see(index, values) for every representation.
+  // see(index, values) for every representation, each built on the one before.
   template <class See>
   void texel(size_t texel, std::vector<float>& row, const See& see) const {
     size_t index = 0;
-    spmm_.functions(texel, row.data());
+    const auto add_up = [&](const Rows& rows, const Rows& coordinates, const std::vector<size_t>& counts) {
+      size_t done = 0;
+      for (const size_t many : counts) {
+        add_combinations(coordinates.row(texel) + done, 1, rows.row(done), many - done, rows.length, row.data());
+        done = many;
+        see(index++, row);
+      }
+    };
+    spmm.functions(texel, row.data());
     see(index++, row);
-    for (int k = 0; k <= spmm_.terms(); ++k) {
-      spmm_.add_residual(texel, k, row.data());
+    for (int k = 0; k <= spmm.terms(); ++k) {
+      spmm.add_residual(texel, k, row.data());
       see(index++, row);
     }
     std::fill(row.begin(), row.end(), 0.f);
-    size_t done = 0;
-    for (const size_t rank : ranks_) {
-      add_combinations(coordinates_.row(texel) + done, 1, directions_.row(done), rank - done, directions_.length,
-                       row.data());
-      done = rank;
-      see(index++, row);
+    add_up(svd_rows, svd_coordinates, ranks);
+    if (!shared.empty()) {
+      spmm.functions(texel, row.data());
+      add_up(shared_rows, shared_coordinates, shared);
     }
-    simple_.blinn_phong(texel, simple_columns_, row.data());
+    simple.blinn_phong(texel, simple_columns, row.data());
     see(index++, row);
-    simple_.srf(texel, simple_columns_, row.data());
+    simple.srf(texel, simple_columns, row.data());
     see(index++, row);
   }
-
- private:
-  const SpmmValues& spmm_;
-  const Rows& directions_;
-  const Rows& coordinates_;
-  std::vector<size_t> ranks_;
-  const SimpleModels& simple_;
-  Rows simple_columns_;
 };
+
+// Names, bytes and costs of the same. Halves: two colours and an exponent, or three shapes, of the simple models.
+std::vector<Representation> described(const Spmm& spmm, const Candidates& candidates, size_t values) {
+  std::vector<Representation> list;
+  const size_t texels = spmm.texels.size();
+  const uint64_t functions = texels * 8 + spmm.entries.size() * 8 + spmm.dictionary.size() * 48;
+  const uint64_t a_table = spmm.clusters.size() * values * 2, each_rank = 2 * (texels + values);
+  for (int terms = -1; terms <= candidates.spmm.terms(); ++terms) {
+    Representation r;
+    r.name = terms < 0    ? "functions"
+             : terms == 0 ? "with mean"
+                          : fmt::format("with {} term{}", terms, terms == 1 ? "" : "s");
+    r.bytes =
+        functions + a_table * static_cast<uint64_t>(terms + 1) + texels * 2 * static_cast<uint64_t>(std::max(terms, 0));
+    r.nanoseconds = nanoseconds_of_material(spmm, terms);
+    list.push_back(std::move(r));
+  }
+  const double alone = list.front().nanoseconds;
+  const auto tables = [&](size_t rank) { return nanoseconds_of_tables(spmm.residual.directions, texels, rank); };
+  const bool known = !spmm.residual.directions.empty();
+  for (const size_t rank : candidates.ranks)
+    list.push_back(
+        {.name = fmt::format("svd rank {}", rank), .bytes = each_rank * rank, .nanoseconds = known ? tables(rank) : 0});
+  for (const size_t rank : candidates.shared)
+    list.push_back({.name = fmt::format("shared {}", rank),
+                    .bytes = functions + each_rank * rank,
+                    .nanoseconds = known ? alone + tables(rank) : 0});
+  list.push_back({.name = "blinn-phong", .bytes = texels * 14});
+  list.push_back({.name = "srf", .bytes = texels * 18});
+  return list;
+}
 
 // The truncated SVD under the material's directions, its rows without their roots, read at the pairs of `at`.
 Result<Rows> resampled_directions(const Coordinates& svd, const Measurement& source, const Pairs& at) {
@@ -96,26 +123,15 @@ std::vector<double> missing_rings(const Btf& btf, const std::vector<vec3>& direc
   return rings;
 }
 
-double nanoseconds_of(const Spmm& spmm) {
-  const EditedTables rows = edited_tables(spmm, {});
-  DirectionTables directions;
-  if (!spmm.residual.records.empty())
-    if (auto found = triangulate(spmm.residual.directions, "")) directions = std::move(*found);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  constexpr int kCount = 20000;
-  double sum = 0;
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < kCount; ++i) {
-    const auto direction = [&] {
-      const double z = 0.3 + 0.7 * uniform(random), phi = 6.283185307179586 * uniform(random), s = std::sqrt(1 - z * z);
-      return dvec3(s * std::cos(phi), s * std::sin(phi), z);
-    };
-    const int x = static_cast<int>(uniform(random) * spmm.width), y = static_cast<int>(uniform(random) * spmm.height);
-    sum += evaluate(spmm, rows, kMaxResidualTerms, directions, x, y, direction(), direction()).x;
-  }
-  const double took = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
-  return std::isfinite(sum) ? took / kCount : 0;
+// What there is room for in these bytes, added to the others; sorted.
+void add_equal(std::vector<size_t>& ranks, uint64_t bytes, uint64_t each, size_t most) {
+  ranks.push_back(std::clamp<size_t>(static_cast<size_t>(bytes / each), 1, most));
+  std::sort(ranks.begin(), ranks.end());
+}
+
+void limit(std::vector<size_t>& ranks, size_t most) {
+  for (size_t& rank : ranks) rank = std::min(rank, most);
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
 }
 
 }  // namespace
@@ -140,23 +156,31 @@ Result<Quality> measure_quality(const Spmm& spmm, const Btf& btf, const Btf* aga
   const Pairs& pairs = plain.pairs();
   const size_t values = plain.values(), count = plain.pair_count(), texels = plain.texels();
 
-  // Truncated SVDs, that of the material's bytes among them.
+  // Truncated SVDs and residuals of the whole material, those of the material's bytes among them.
   const uint64_t bytes = bytes_on_gpu(spmm), each_rank = 2 * (texels + source.values());
-  const size_t equal = std::clamp<size_t>(static_cast<size_t>(bytes / each_rank), 1, options.max_rank);
-  std::vector<size_t> ranks = options.ranks;
-  ranks.push_back(equal);
-  std::sort(ranks.begin(), ranks.end());
-  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-  const Coordinates svd = find_coordinates(
-      source, {.rank = ranks.back(), .power_iterations = 2, .sample = std::min<size_t>(texels, 8192)}, worker);
+  std::vector<size_t> ranks = options.ranks, shared = options.shared;
+  add_equal(ranks, bytes, each_rank, options.max_rank);
+  const uint64_t functions_bytes = spmm.texels.size() * 8 + spmm.entries.size() * 8;
+  if (!shared.empty()) add_equal(shared, bytes - std::min(bytes, functions_bytes), each_rank, options.max_rank);
+  // What the functions leave lies in directions of less energy, so that it needs a longer list of them.
+  const size_t most = std::max(ranks.back(), shared.empty() ? 1 : std::min(2 * shared.back(), options.max_rank));
+  const Coordinates svd =
+      find_coordinates(source, {.rank = most, .power_iterations = 2, .sample = std::min<size_t>(texels, 8192)}, worker);
   if (worker.cancelled()) return JobQueue::cancelled_error();
-  for (size_t& rank : ranks) rank = std::min(rank, svd.directions.count);
-  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+  limit(ranks, svd.directions.count);
+  limit(shared, svd.directions.count);
 
   VAMP_TRY(const SpmmValues model, SpmmValues::make(spmm, pairs));
   VAMP_TRY(const Rows directions, resampled_directions(svd, source, pairs));
   const SimpleModels simple(source, worker);
-  const Stack stack(model, directions, svd.coordinates, ranks, simple, pairs);
+  Rows shared_rows, shared_coordinates;
+  if (!shared.empty()) {
+    const SharedResidual residual(svd, source, spmm);
+    shared_rows = residual.rotated(directions);
+    shared_coordinates = residual.coordinates();
+  }
+  const Candidates stack{model,  directions, svd.coordinates,         ranks, shared_rows, shared_coordinates,
+                         shared, simple,     simple.columns_at(pairs)};
   Pictures pictures(pairs, static_cast<int>(truth.info().width), static_cast<int>(truth.info().height), stack.count());
 
   worker.stage("Comparing");
@@ -202,7 +226,6 @@ Result<Quality> measure_quality(const Spmm& spmm, const Btf& btf, const Btf* aga
   for (const auto& [angle, views] : rings) quality.ring_angles.push_back(angle);
   quality.pictures = pictures.count();
   quality.functions_per_texel = static_cast<double>(spmm.entries.size()) / static_cast<double>(texels);
-  quality.nanoseconds = nanoseconds_of(spmm);
 
   const auto relative = [&](const PairErrors& errors, const auto& weight) {
     double error = 0, square = 0;
@@ -220,41 +243,26 @@ Result<Quality> measure_quality(const Spmm& spmm, const Btf& btf, const Btf* aga
   const bool any_new =
       std::count(new_view.begin(), new_view.end(), true) + std::count(new_light.begin(), new_light.end(), true) > 0;
 
-  const uint64_t without_residual = spmm.texels.size() * 8 + spmm.entries.size() * 8 + spmm.dictionary.size() * 48;
-  const uint64_t a_table = spmm.clusters.size() * source.values() * 2;
+  std::vector<Representation> list = described(spmm, stack, source.values());
   for (size_t i = 0; i < stack.count(); ++i) {
-    Representation r;
-    const int terms = static_cast<int>(i) - 1;  // of a material: -1 functions alone, 0 the mean
-    if (terms <= model.terms()) {
-      r.name = terms < 0    ? "functions"
-               : terms == 0 ? "with mean"
-                            : fmt::format("with {} term{}", terms, terms == 1 ? "" : "s");
-      r.bytes = without_residual;
-      if (terms >= 0)
-        r.bytes += a_table * static_cast<uint64_t>(terms + 1) + spmm.texels.size() * 2 * static_cast<uint64_t>(terms);
-    } else if (const size_t other = i - static_cast<size_t>(model.terms() + 2); other < ranks.size()) {
-      r.name = fmt::format("svd rank {}", ranks[other]);
-      r.bytes = each_rank * ranks[other];
-    } else {
-      // Halves: two colours and an exponent, or three shapes.
-      const bool srf = other > ranks.size();
-      r.name = srf ? "srf" : "blinn-phong";
-      r.bytes = spmm.texels.size() * (srf ? 18 : 14);
-    }
+    Representation& r = list[i];
     const PairErrors& errors = sums[0][i];
     r.uniform = relative(errors, [](size_t) { return 1.0; });
     r.weighted = relative(errors, [&](size_t p) { return std::pow(double{weighted.roots()[p]}, 2); });
-    if (any_new)
-      r.held_out =
-          relative(errors, [&](size_t p) { return new_view[p / lights] || new_light[p % lights] ? 1.0 : 0.0; });
+    if (any_new) {
+      const auto is_new = [&](size_t p) { return new_view[p / lights] || new_light[p % lights]; };
+      r.held_out = relative(errors, [&](size_t p) { return is_new(p) ? 1.0 : 0.0; });
+      r.seen = relative(errors, [&](size_t p) { return is_new(p) ? 0.0 : 1.0; });
+    }
     for (const auto& [angle, views] : rings)
       r.rings.push_back(relative(errors, [&, &ring = views](size_t p) {
         return std::binary_search(ring.begin(), ring.end(), p / lights) ? 1.0 : 0.0;
       }));
     r.negative = static_cast<double>(errors.negative) / static_cast<double>(texels * values);
     pictures.compare(i, r.psnr, r.mssim, r.half_psnr, r.half_mssim);
-    quality.representations.push_back(std::move(r));
   }
+  quality.nanoseconds = list[static_cast<size_t>(model.terms() + 1)].nanoseconds;
+  quality.representations = std::move(list);
   return quality;
 }
 

@@ -11,17 +11,20 @@ namespace vamp::fit {
 
 struct QualityOptions {
   std::vector<size_t> ranks = {8, 10};  // of truncated SVDs beside that of equal bytes
-  size_t max_rank = 160;                // of that of equal bytes
+  std::vector<size_t> shared = {32};    // terms of one residual for the whole material in place of the clusters'
+  size_t max_rank = 160;                // of those of equal bytes
   int threads = 0;
 };
 
 // Relative RMSE: |data - model| / |data|, models clamped at 0.
 struct Representation {
-  std::string name;  // "functions", "with mean", "with 1 term", "svd rank 8", "srf"
+  std::string name;  // "functions", "with mean", "with 1 term", "svd rank 8", "shared 32", "blinn-phong", "srf"
   uint64_t bytes = 0;
+  double nanoseconds = 0;                // of an evaluation on one core of this machine (cost.h); 0: not measured
   double weighted = 0;                   // as the fit weighs pairs
   double uniform = 0;                    // all pairs the same
   std::optional<double> held_out;        // pairs with a direction that the fit did not see; uniform
+  std::optional<double> seen;            // the others, where there are any of those
   std::vector<double> rings;             // a polar angle of the view, uniform
   double negative = 0;                   // share of values below -1e-3 of the mean
   double psnr = 0, mssim = 0;            // of texture pictures, one texel a pixel

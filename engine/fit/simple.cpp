@@ -12,7 +12,7 @@ namespace {
 
 // Columns: the light's cosine, powers of the half vector's, the half vector itself.
 constexpr std::array<float, 12> kExponents = {1, 2, 4, 7, 12, 20, 35, 60, 100, 200, 400, 800};
-constexpr size_t kPowers = 1, kHalf = kPowers + kExponents.size(), kColumns = kHalf + 3, kRgb = 3;
+constexpr size_t kPowers = 1, kHalfColumns = kPowers + kExponents.size(), kColumns = kHalfColumns + 3, kRgb = 3;
 
 Rows make_columns(const Pairs& pairs, const std::vector<float>* roots) {
   Rows columns(kColumns, pairs.count());
@@ -25,13 +25,15 @@ Rows make_columns(const Pairs& pairs, const std::vector<float>* roots) {
       columns.row(0)[at] = light.z * root;
       for (size_t k = 0; k < kExponents.size(); ++k)
         columns.row(kPowers + k)[at] = std::pow(std::max(h.z, 0.f), kExponents[k]) * root;
-      for (int i = 0; i < 3; ++i) columns.row(kHalf + static_cast<size_t>(i))[at] = h[i] * root;
+      for (int i = 0; i < 3; ++i) columns.row(kHalfColumns + static_cast<size_t>(i))[at] = h[i] * root;
       ++at;
     }
   return columns;
 }
 
 }  // namespace
+
+const size_t SimpleModels::kHalf = kHalfColumns;
 
 SimpleModels::Phong SimpleModels::best_phong(const std::vector<double>& gram, const double* correlations) {
   Phong best;
@@ -79,11 +81,10 @@ SimpleModels::SimpleModels(const Measurement& measurement, const Worker& worker)
     for (size_t i = 0; i < mean.size(); ++i) mean[i] += each[i] / static_cast<double>(all.size());
   mean_ = best_phong(gram, mean.data());
 
-  Eigen::Matrix3d halves;
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j)
-      halves(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = gram[(kHalf + i) * kColumns + kHalf + j];
-  const Eigen::Matrix3d inverse = halves.inverse();
+      half_gram_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = gram[(kHalf + i) * kColumns + kHalf + j];
+  const Eigen::Matrix3d inverse = half_gram_.inverse();
   for (size_t t = 0; t < texels_.size(); ++t)
     for (size_t c = 0; c < kRgb; ++c) {
       Eigen::Vector3d left;
@@ -95,6 +96,8 @@ SimpleModels::SimpleModels(const Measurement& measurement, const Worker& worker)
       for (size_t i = 0; i < 3; ++i) shapes_[t][c * 3 + i] = static_cast<float>(s[static_cast<Eigen::Index>(i)]);
     }
 }
+
+const float* SimpleModels::highlight_column(const Rows& columns) const { return columns.row(kPowers + mean_.exponent); }
 
 Rows SimpleModels::columns_at(const Pairs& pairs) const { return make_columns(pairs, nullptr); }
 
