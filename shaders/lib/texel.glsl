@@ -22,8 +22,8 @@ Part fetch_part(uint part) {
 }
 
 // The texel to read: one drawn with the bilinear weights, or the four and their weights in turn.
-// `corner` 0..3 for four taps; weight 1 for the stochastic one.
-int tap_texel(Part part, vec2 uv, vec2 u, uint corner, out float weight) {
+// `corner` 0..3 for four taps; weight 1 for the stochastic one. `rest`: what the draw leaves of u, uniform again.
+int tap_texel(Part part, vec2 uv, vec2 u, uint corner, out float weight, out vec2 rest) {
   ivec2 size = ivec2(part.shape.x & 0xffffu, part.shape.x >> 16);
   vec2 p = vec2(dot(part.uv_matrix.xy, uv), dot(part.uv_matrix.zw, uv)) + part.uv_offset.xy;
   p = (p - floor(p)) * vec2(size) - 0.5;
@@ -33,9 +33,11 @@ int tap_texel(Part part, vec2 uv, vec2 u, uint corner, out float weight) {
   if (FOUR_TAPS) {
     step = ivec2(corner & 1u, corner >> 1);
     weight = (step.x == 1 ? f.x : 1.0 - f.x) * (step.y == 1 ? f.y : 1.0 - f.y);
+    rest = u;
   } else {
     step = ivec2(u.x < f.x ? 1 : 0, u.y < f.y ? 1 : 0);
     weight = 1.0;
+    rest = mix((u - f) / max(1.0 - f, vec2(1e-6)), u / max(f, vec2(1e-6)), lessThan(u, f));
   }
   ivec2 t = ivec2(low) + step;
   // Tiles repeat; t lies in [-1, size], also where p was rounded up to the size itself.

@@ -19,7 +19,8 @@ void main() {
   Part part = fetch_part(point.part);
   // The nearest texel's cluster: half a texel back, and both coordinates rounded up or down.
   float unused;
-  uint cluster = texelFetch(texel_texels, tap_texel(part, frame.uv, vec2(0.5), 0u, unused)).y & 255u;
+  vec2 rest;
+  uint cluster = texelFetch(texel_texels, tap_texel(part, frame.uv, vec2(0.5), 0u, unused, rest)).y & 255u;
   imageStore(aov, int(index), hit ? vec4(point.normal, point.t) : vec4(0.0));
   imageStore(aov, int(region_pixels() + index),
              hit ? vec4(frame.uv, float(point.part), float(cluster)) : vec4(0.0, 0.0, -1.0, -1.0));
