@@ -1,0 +1,182 @@
+#include "bench/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bench/fit_figures.h"
+
+namespace vamp {
+namespace {
+
+const vec3 kBlue(0.12f, 0.35f, 0.75f), kGreen(0.15f, 0.55f, 0.25f), kGrey(0.45f), kRed(0.8f, 0.2f, 0.15f), kGrid(0.88f);
+
+std::string percent(double value) { return fmt::format("{:.1f}", 100 * value); }
+
+double value(const Json& row, const char* key) { return row[key].get<double>(); }
+
+// The representation of this name, or with a name that begins so the last: that of equal bytes.
+const Json& named(const Json& rows, std::string_view name, bool last = false) {
+  const Json* found = nullptr;
+  for (const Json& row : rows) {
+    const auto each = row["name"].get<std::string>();
+    if (last ? each.starts_with(name) : each == name) found = &row;
+  }
+  return found != nullptr ? *found : rows.front();
+}
+
+// What is asked of the fits: each as a figure of a material and the most or least that it may be.
+struct Bar {
+  const char* what;
+  std::function<double(const Json&)> of;
+  const char* asked;
+  bool percent = false;
+};
+
+const Json& usual(const Json& figures) { return figures["curves"][fmt::format("{} clusters", kFitClusters)]; }
+
+double over_svd10(const Json& figures, const char* key) {
+  return value(named(usual(figures), "with 4 terms"), key) / value(named(usual(figures), "svd rank 10"), key);
+}
+
+double over_equal_bytes(const Json& figures, int clusters, const char* prefix, const char* key) {
+  const Json& rows = figures["curves"][fmt::format("{} clusters", clusters)];
+  const Json& ours = std::string_view(prefix) == "shared" ? named(rows, "shared", true) : named(rows, "with 4 terms");
+  // Ranks are sorted and the last is that of equal bytes, unless it is smaller than those that are always there.
+  const double bytes = value(named(rows, "with 4 terms"), "kib");
+  const Json* svd = nullptr;
+  for (const Json& row : rows)
+    if (row["name"].get<std::string>().starts_with("svd") &&
+        (svd == nullptr || std::abs(value(row, "kib") - bytes) < std::abs(value(*svd, "kib") - bytes)))
+      svd = &row;
+  return value(ours, key) / value(*svd, key);
+}
+
+std::vector<Bar> bars() {
+  const auto few = [](const char* which) {
+    return [which](const Json& f) { return value(f[which]["fit"], "measured") / value(f[which]["srf"], "measured"); };
+  };
+  return {
+      {"4 terms / SVD of rank 10, measured", [](const Json& f) { return over_svd10(f, "measured"); }, "< 1"},
+      {"4 terms / SVD of rank 10, between", [](const Json& f) { return over_svd10(f, "between"); }, "< 1"},
+      {"4 terms / SVD of equal bytes, between, 2 clusters",
+       [](const Json& f) { return over_equal_bytes(f, 2, "", "between"); }, ""},
+      {"4 terms / SVD of equal bytes, between",
+       [](const Json& f) { return over_equal_bytes(f, kFitClusters, "", "between"); }, "1.35 on four, 1.5 on all"},
+      {"shared residual / SVD of equal bytes, between",
+       [](const Json& f) { return over_equal_bytes(f, kFitClusters, "shared", "between"); }, "< 1 on two"},
+      {"3 functions of many / SRF", few("few_any"), "0.8"},
+      {"3 functions of 32 / SRF", few("few"), "0.9"},
+      {"MSSIM at two texels a pixel", [](const Json& f) { return value(named(usual(f), "with 4 terms"), "mssim"); },
+       "0.96 on four, 0.93 on all"},
+      {"error between the directions, %",
+       [](const Json& f) { return value(named(usual(f), "with 4 terms"), "between"); }, "25; 12 shallow or fine", true},
+      {"its share that is noise, %", [](const Json& f) { return value(f, "noise_between"); }, "", true},
+      {"32 bases / many",
+       [](const Json& f) {
+         return value(named(usual(f), "with 4 terms"), "measured") / value(f["any"]["fit"], "measured");
+       },
+       "1.08"},
+      {"left-out ring / directions used",
+       [](const Json& f) { return value(f["ring"], "ring") / value(f["ring"], "used"); }, "1.3"},
+  };
+}
+
+// Six panels of curves: errors between the directions, by `key` in logarithms from `low` to `high`.
+Figure panels(const std::vector<Json>& all, const char* key, const char* unit, double low, double high) {
+  constexpr float kWidth = 300, kHeight = 230;
+  Figure figure(static_cast<int>(3 * kWidth), static_cast<int>(2 * kHeight + 24));
+  for (size_t i = 0; i < all.size(); ++i) {
+    const vec2 corner(kWidth * static_cast<float>(i % 3), kHeight * static_cast<float>(i / 3));
+    const auto at = [&](double x, double y) {
+      const double along = std::log(std::clamp(x, low, high) / low) / std::log(high / low);
+      return corner +
+             vec2(44 + 240 * static_cast<float>(along), 200 - 165 * static_cast<float>(std::min(y / 0.6, 1.0)));
+    };
+    for (int p = 0; p <= 60; p += 20) {
+      figure.line({at(low, p / 100.0), at(high, p / 100.0)}, kGrid);
+      figure.words(at(low, p / 100.0) - vec2(6, 0), fmt::format("{} %", p), 10, Anchor::right);
+    }
+    for (double x = low; x <= high * 1.001; x *= 4)
+      figure.words(at(x, 0) + vec2(0, 14), fmt::format("{:g}", x), 10, Anchor::middle);
+    figure.words(corner + vec2(44, 16), fit_materials()[i].name, 12, Anchor::left);
+    const auto draw = [&](const Json& rows, std::string_view prefix, vec3 colour) {
+      std::vector<vec2> points;
+      for (const Json& row : rows)
+        if (row["name"].get<std::string>().starts_with(prefix) && value(row, key) > 0)
+          points.push_back(at(value(row, key), value(row, "between")));
+      for (const vec2 p : points) figure.area(p - 2.f, vec2(4), colour);
+      if (points.size() > 1) figure.line(std::move(points), colour, 1.4f);
+    };
+    for (const auto& [name, rows] : all[i]["curves"].items()) {
+      Json material = Json::array();
+      for (const Json& row : rows)
+        if (const auto each = row["name"].get<std::string>(); each == "functions" || each.starts_with("with"))
+          material.push_back(row);
+      draw(material, "", kBlue);
+    }
+    draw(usual(all[i]), "svd", kGrey);
+    draw(usual(all[i]), "shared", kGreen);
+    draw(usual(all[i]), "srf", kRed);
+  }
+  const float line = 2 * kHeight + 12;
+  figure.words({20, line}, fmt::format("relative RMSE between the measured directions, by {}", unit), 11, Anchor::left);
+  const std::pair<const char*, vec3> kinds[] = {
+      {"functions, mean, 1 to 4 terms", kBlue}, {"shared residual", kGreen}, {"truncated SVD", kGrey}, {"SRF", kRed}};
+  float x = 400;
+  for (const auto& [name, colour] : kinds) {
+    figure.area({x, line - 4}, vec2(8), colour);
+    figure.words({x + 12, line}, name, 11, Anchor::left);
+    x += 40 + 6.2f * static_cast<float>(std::string_view(name).size());
+  }
+  return figure;
+}
+
+}  // namespace
+
+Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
+  std::vector<Json> all;
+  for (const FitMaterial& material : fit_materials()) {
+    VAMP_TRY(Json figures, fit_figures(material, options.data, options.threads, progress));
+    all.push_back(std::move(figures));
+  }
+  Report report("fit",
+                fmt::format("Synthetic: {0} x {0} texels, {1} paths a texel and view, {2} between the directions; {3} "
+                            "clusters unless said. Errors are relative RMSE, all pairs alike.",
+                            options.data.size, options.data.samples, 2 * options.data.samples, kFitClusters));
+  std::vector<std::string> heads = {"figure (asked for)"};
+  for (const FitMaterial& material : fit_materials())
+    heads.push_back(fmt::format("{}{}", material.name, material.steep ? " (steep)" : ""));
+  report.table(heads);
+  for (const Bar& bar : bars()) {
+    std::vector<std::string> cells = {*bar.asked != 0 ? fmt::format("{} ({})", bar.what, bar.asked) : bar.what};
+    for (const Json& figures : all)
+      cells.push_back(bar.percent ? percent(bar.of(figures)) : fmt::format("{:.3f}", bar.of(figures)));
+    report.row(std::move(cells));
+  }
+  // Each representation of the usual fit: error measured / between, and MSSIM.
+  heads.front() = "KiB of calf; measured / between, %; MSSIM";
+  report.table(heads);
+  for (size_t i = 0; i < usual(all.front()).size(); ++i) {
+    const Json& first = usual(all.front())[i];
+    std::vector<std::string> cells = {
+        fmt::format("{}, {} KiB", first["name"].get<std::string>(), first["kib"].get<int>())};
+    for (const Json& figures : all) {
+      const Json& rows = usual(figures);
+      if (i >= rows.size() || rows[i]["name"] != first["name"]) {
+        cells.emplace_back("-");
+        continue;
+      }
+      cells.push_back(fmt::format("{} / {}; {:.3f}", percent(value(rows[i], "measured")),
+                                  percent(value(rows[i], "between")), value(rows[i], "mssim")));
+    }
+    report.row(std::move(cells));
+  }
+  for (size_t i = 0; i < all.size(); ++i) report.data()[fit_materials()[i].name] = all[i];
+  return FitCurves{std::move(report), panels(all, "kib", "KiB", 64, 16384),
+                   panels(all, "ns", "nanoseconds of an evaluation on one core", 64, 16384)};
+}
+
+}  // namespace vamp
