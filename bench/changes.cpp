@@ -45,6 +45,25 @@ std::vector<double> unmixed(const dvec3& colour, const std::vector<dvec3>& parts
   return best;
 }
 
+// Of a highlight about the half vector, as Cook-Torrance's m; 0 for other functions.
+float width_of(const Lobe& lobe) {
+  const auto& p = lobe.params;
+  const auto of_exponent = [](float n) { return std::sqrt(2 / (n + 2)); };
+  switch (lobe.model) {
+    case Model::blinn_phong:
+      return of_exponent(p[1]);
+    case Model::ward:
+      return std::sqrt(p[1] * p[2]);
+    case Model::cook_torrance:
+      return p[1];
+    case Model::ashikhmin_shirley:
+      return std::sqrt(of_exponent(p[2]) * of_exponent(p[3]));
+    default:
+      return 0;
+  }
+}
+
+// With all widths of its highlight times a factor.
 Lobe widened(Lobe lobe, float factor) {
   const auto scale = [&](std::string_view name, float by) {
     if (const ParameterRow* row = find_parameter(lobe.model, lobe.variant, name); row != nullptr) {
@@ -98,10 +117,22 @@ EditLayer with_roughness(const Spmm& spmm, float factor) {
 }
 
 EditLayer with_relief(const Spmm& spmm, float factor) {
+  // The finish itself is as sharp as the sharpest highlights; what is wider is wide because slopes differ within a
+  // texel.
+  std::vector<float> widths;
+  for (const Basis& basis : spmm.dictionary)
+    if (const float width = width_of(basis.lobe); width > 0) widths.push_back(width);
+  std::sort(widths.begin(), widths.end());
+  const float own = widths.empty() ? 0 : widths[widths.size() / 10];
   return for_every_row(spmm, [&](BasisKey key) {
     BasisEdit edit;
-    const vec3 n = spmm.dictionary[static_cast<size_t>(key.basis)].normal;
+    const Basis& basis = spmm.dictionary[static_cast<size_t>(key.basis)];
+    const vec3 n = basis.normal;
     if (n.x != 0 || n.y != 0) edit.normal = normalize(vec3(n.x * factor, n.y * factor, n.z));
+    if (const float width = width_of(basis.lobe); width > own) {
+      const float narrower = std::sqrt(own * own + (width * width - own * own) * factor * factor);
+      edit.lobe = widened(basis.lobe, narrower / width);
+    }
     return edit;
   });
 }
