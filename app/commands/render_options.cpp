@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "app/commands/option_values.h"
+#include "editor/model/preset_library.h"
 #include "engine/core/files.h"
+#include "engine/core/text.h"
 #include "engine/project/file_reference.h"
 #include "engine/project/job_options.h"
 #include "engine/project/limits.h"
@@ -37,15 +39,34 @@ Status read_given(const std::string& text, std::optional<T>& value, Read read) {
   return {};
 }
 
-// A preset by its file, or by its name alone: in the user's library, then among those that come with the program.
-fs::path find_preset(const std::string& text) {
+// A preset by its file, or by its name alone: that of its file, else the one that it is shown by. The user's library
+// comes before the presets that come with the program.
+Result<fs::path> find_preset(const std::string& text) {
   const fs::path path = text;
   std::error_code code;
-  if (fs::exists(path, code) || path.has_parent_path()) return path;
-  for (const fs::path& folder : {preset_library_dir(), shipped_dir("presets")})
-    for (const fs::path& name : {path, fs::path(text + ".vamp")})
-      if (!folder.empty() && fs::exists(folder / name, code)) return folder / name;
-  return path;
+  const bool there = fs::is_directory(path, code) ? fs::exists(path / "material.json", code) : fs::exists(path, code);
+  if (there || path.has_parent_path() || lower_extension(path) == ".vamp") {
+    for (const fs::path& folder : {fs::path(), preset_library_dir(), shipped_dir("presets")})
+      if (fs::exists(folder / path, code)) return folder / path;
+    return path;  // reading it says what is wrong
+  }
+  PresetLibrary library;
+  library.rescan();
+  const std::vector<LibraryEntry>& entries = library.entries();
+  for (const bool exact : {true, false})
+    for (const LibraryEntry& entry : entries) {
+      const std::string stem = entry.info.path.stem().string();
+      if (exact ? stem == text : lower(stem) == lower(text)) return entry.info.path;
+    }
+  for (const LibraryEntry& entry : entries)
+    if (lower(entry.info.name) == lower(text)) return entry.info.path;
+  std::vector<std::string> names;
+  for (const LibraryEntry& entry : entries)
+    names.push_back(fmt::format("{} (\"{}\")", entry.info.path.stem().string(), entry.info.name));
+  return fail(
+      ErrorKind::usage, "", "--material",
+      names.empty() ? "the file of a preset" : fmt::format("a preset's file or one of {}", fmt::join(names, ", ")),
+      fmt::format("\"{}\"", text));
 }
 
 Result<int> part_called(const Project& project, const std::string& name, std::string_view option) {
@@ -165,7 +186,7 @@ Status apply_render_options(const RenderText& text, const RenderOptions& options
 
   for (const auto& [name, preset_name] : options.materials) {
     VAMP_TRY(const int part, part_called(project, name, "--material"));
-    const fs::path path = find_preset(preset_name);
+    VAMP_TRY(const fs::path path, find_preset(preset_name));
     VAMP_TRY(const Preset preset, load_preset(path));
     assign_preset(project, part, preset, path.string());
   }

@@ -105,6 +105,15 @@ TEST_F(Render, ASnapshotIsRenderedAgainFromItself) {
   EXPECT_EQ(picture("large.png").width, 30);
 }
 
+TEST_F(Render, APresetIsFoundByItsFilesNameAndByTheOneThatItIsShownBy) {
+  ASSERT_EQ(render({"-o", "file.exr", "--material", "Box=calf"}).code, 0);
+  for (const std::string name : {"CALF", "Full-grain calf, cognac", "full-grain CALF, cognac"}) {
+    const Ended ended = render({"-o", "name.exr", "--material", "Box=" + name});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(picture("name.exr").pixels, picture("file.exr").pixels) << name;
+  }
+}
+
 TEST_F(Render, ASnapshotTellsNoFolderOfThisMachine) {
   ASSERT_EQ(render({"-o", "a.png"}).code, 0);
   const auto metadata = read_metadata(folder / "a.png");

@@ -113,6 +113,7 @@ TEST_F(Usage, MissingAndDamagedFilesAreBadInput) {
   expect({"render", "none.glb", "-o", "x.png"}, 3, "none.glb");
   expect({"render", "none.vampproj", "-o", "x.png"}, 3, "none.vampproj");
   expect({"render", "box.glb", "-o", "x.png", "--material", "Box=none.vamp"}, 3, "none.vamp");
+  expect({"render", "box.glb", "-o", "x.png", "--material", "Box=none"}, 2, "calf (\"Full-grain calf, cognac\")");
   expect({"render", "box.glb", "-o", "x.png", "--environment", "none.hdr"}, 3, "none.hdr");
   expect({"render", "-o", "x.png", "--from", "none.png"}, 3, "none.png");
   expect({"compare", "a.png", "b.png"}, 3, "a.png");
