@@ -177,6 +177,8 @@ bool SnapshotDialog::may_write() {
 
 void SnapshotDialog::draw() {
   if (!ui::begin_dialog("Export snapshot", open_, 520)) return;
+  // Before the rows are drawn: Enter in a field ends the typing, and the field is active no more when that is done.
+  const bool typing = ImGui::IsAnyItemActive();
   draw_size();
   draw_quality();
   draw_file();
@@ -187,7 +189,8 @@ void SnapshotDialog::draw() {
     ImGui::PopStyleColor();
   }
   ui::gap(4);
-  const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::IsAnyItemActive();
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+  const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) && !typing && !ImGui::IsAnyItemActive();
   const bool go = ui::primary_button(replaces_ == path_ ? "Replace it" : "Export", ui::px(96)) || enter;
   ImGui::SameLine();
   if (ImGui::Button("Choose file…", ImVec2(0, ui::px(28)))) {

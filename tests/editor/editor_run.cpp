@@ -140,6 +140,10 @@ void EditorRun::click(int x, int y) const {
   move(x, y);
   tool("click 1");
 }
+void EditorRun::double_click(int x, int y) const {
+  move(x, y);
+  tool("click --repeat 2 --delay 80 1");
+}
 void EditorRun::drag(int x0, int y0, int x1, int y1) const {
   move(x0, y0);
   tool("mousedown 1");

@@ -51,6 +51,7 @@ class EditorRun {
   void type(const std::string& text) const;
   void move(int x, int y) const;
   void click(int x, int y) const;
+  void double_click(int x, int y) const;
   void drag(int x0, int y0, int x1, int y1) const;
 
   // What the screen shows, RGB in [0, 1] as encoded.

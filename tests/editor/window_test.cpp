@@ -178,6 +178,32 @@ TEST_F(Window, AsksBeforeAnotherPictureIsReplaced) {
   editor.move(320, 240);
   type_the_name();
   editor.key("Return");
+TEST_F(Window, ReturnInAFieldOfTheSnapshotEndsTheTypingAlone) {
+  EditorRun editor(display(), home(), {document().string()}, 820, 480);
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  editor.move(320, 240);
+  editor.key("F12");
+  // The numbers of width and height, at the right of their rows; the dialog stands in the middle.
+  for (const int y : {169, 194}) {
+    editor.double_click(590, y);
+    editor.key("ctrl+a");
+    editor.type("64");
+    editor.key("Return");
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  EXPECT_FALSE(fs::exists(home() / "boxes.png")) << editor.log();
+  editor.move(320, 440);  // away from the fields
+  editor.key("Escape F12");
+  editor.key("Return");
+  ASSERT_TRUE(wait_until([&] { return fs::exists(home() / "boxes.png"); })) << editor.log();
+  const auto picture = load_image(home() / "boxes.png");
+  ASSERT_TRUE(picture) << picture.error().message();
+  EXPECT_EQ(picture->width, 64);
+  EXPECT_EQ(picture->height, 64);
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
   editor.key("Escape");
   EXPECT_EQ(size(), 18u);
   type_the_name();
