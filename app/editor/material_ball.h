@@ -13,7 +13,7 @@ namespace gpu {
 class Device;
 }
 
-// PNG, 192 x 192, transparent about the ball. Renders on a queue of its own; takes a second or two.
+// PNG, 256 x 256, on a grey ground as the shipped presets. Renders on a queue of its own; takes a second or two.
 Result<std::vector<std::byte>> render_material_ball(gpu::Device& device, const Preset& preset, Progress& progress);
 
 }  // namespace vamp
