@@ -11,6 +11,7 @@
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/edit.h"
 #include "editor/widgets/theme.h"
+#include "editor/widgets/hover.h"
 
 namespace vamp::ui {
 
@@ -52,6 +53,7 @@ void ViewportPanel::draw(PanelContext& context) {
   draw_menu(context);
 }
 
+  popup_was_open_ = popup_is_open();
 void ViewportPanel::draw_menu(PanelContext& context) {
   if (!ImGui::BeginPopup("##part")) return;
   const ProjectPtr project = context.document.project();
@@ -172,7 +174,7 @@ void ViewportPanel::handle_keys(PanelContext& context, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool here = hovered || ImGui::IsWindowFocused();
   if (!here || io.WantTextInput || edit_is_open() || drag_ != Drag::none || io.KeyCtrl || io.KeyAlt) return;
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  if (popup_was_open_ || popup_is_open()) return;
   if (ImGui::IsKeyPressed(kKeyEscape, false)) context.selection = Selection{};
   if (!ImGui::IsWindowFocused()) return;
   const float step = io.KeyShift ? 1 : kKeyDegrees;

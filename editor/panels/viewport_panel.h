@@ -30,9 +30,10 @@ class ViewportPanel {
 
   int asked_width_ = 0, asked_height_ = 0;
   Drag drag_ = Drag::none;
-  int pressed_part_ = -1;   // what lay under the mouse when the button went down
-  int button_ = 0;          // of the drag
-  bool travelled_ = false;  // further than a click may
+  int pressed_part_ = -1;        // what lay under the mouse when the button went down
+  int button_ = 0;               // of the drag
+  bool popup_was_open_ = false;  // in the last frame
+  bool travelled_ = false;       // further than a click may
   ImVec2 hover_at_{-1, -1};
   uint64_t hover_revision_ = 0, hover_picture_ = 0;
 };

@@ -98,11 +98,13 @@ bool Actions::run(std::string_view id) {
 void Actions::handle_shortcuts() {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::GetTopMostPopupModal() != nullptr || edit_is_open()) return;
+  static const int kEscape = parse_shortcut("Esc").key;
   for (size_t i = 0; i < actions_.size(); ++i) {
     const Shortcut& s = shortcuts_[i];
     if (s.key == 0 || s.ctrl != io.KeyCtrl || s.shift != io.KeyShift || s.alt != io.KeyAlt) continue;
     if (!ImGui::IsKeyPressed(s.key, false)) continue;
     if (io.WantTextInput && text_field_uses(s)) continue;
+    if (popup_was_open_ && s.key == kEscape) continue;  // it closed that
     run(actions_[i].id);
     return;
   }

@@ -84,6 +84,7 @@ class Actions {
   int chosen_ = 0;
   bool palette_wanted_ = false;
   bool sheet_wanted_ = false;
+  bool popup_was_open_ = false;  // in the last frame
 };
 
 }  // namespace vamp::ui

@@ -64,4 +64,6 @@ void show_tooltip(const char* title, const char* text, const char* footer) {
   ImGui::PopStyleVar();
 }
 
+bool popup_is_open() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+
 }  // namespace vamp::ui

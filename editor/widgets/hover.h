@@ -13,4 +13,8 @@ void hover_text(const char* text);
 // A tooltip with a bold title and wrapped text; `footer` is dim. Empty strings are left out.
 void show_tooltip(const char* title, const char* text, const char* footer);
 
+// Whether a menu, a list or another popup is open now. One that Esc closes is gone before anything is drawn: who
+// listens to Esc asks in the frame before.
+bool popup_is_open();
+
 }  // namespace vamp::ui

@@ -9,6 +9,7 @@
 
 #include "editor/widgets/actions.h"
 #include "editor/widgets/controls.h"
+#include "editor/widgets/hover.h"
 #include "editor/widgets/theme.h"
 
 namespace vamp::ui {
@@ -58,6 +59,7 @@ void Actions::draw_popups() {
   if (std::exchange(sheet_wanted_, false)) ImGui::OpenPopup("Keyboard shortcuts");
   draw_palette();
   draw_sheet();
+  popup_was_open_ = popup_is_open();
 }
 
 void Actions::draw_palette() {

@@ -25,6 +25,7 @@ class ActionsTest : public UiTest {
                   .shortcut = "N",
                   .run = [this] { ++never_; },
                   .enabled = [] { return false; }});
+    actions_.add({.id = "leave", .label = "Nothing", .menu = "Select", .shortcut = "Esc", .run = [this] { ++left_; }});
   }
   void tap(int code, bool ctrl) {
     ImGui::GetIO().KeyCtrl = ctrl;
@@ -45,7 +46,7 @@ class ActionsTest : public UiTest {
     });
   }
   Actions actions_;
-  int undone_ = 0, fitted_ = 0, never_ = 0;
+  int undone_ = 0, fitted_ = 0, never_ = 0, left_ = 0;
   bool field_ = false;
   char text_[32] = {};
 };
@@ -66,6 +67,18 @@ TEST_F(ActionsTest, DisabledActionsDoNotRun) {
   EXPECT_EQ(never_, 0);
   EXPECT_FALSE(actions_.run("never"));
   EXPECT_FALSE(actions_.run("unknown"));
+}
+
+TEST_F(ActionsTest, EscThatClosesAPopupDoesNothingElse) {
+  step();
+  actions_.open_sheet();
+  step();
+  step();
+  tap(kEscape, false);
+  EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  EXPECT_EQ(left_, 0);
+  tap(kEscape, false);
+  EXPECT_EQ(left_, 1);
 }
 
 TEST_F(ActionsTest, ATextFieldKeepsItsKeys) {
