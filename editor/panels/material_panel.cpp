@@ -34,6 +34,7 @@ void MaterialPanel::draw(PanelContext& context) {
   gap(-6);
   section(fmt::format("{} — {}", material->name, cluster_title(*material, context.selection.cluster)).c_str());
   gap(4);
+  draw_sharing(context);
   draw_cluster(context);
   gap(4);
   table_.draw(context);
@@ -48,6 +49,36 @@ void MaterialPanel::draw(PanelContext& context) {
   draw_residual(context);
   draw_buttons(context);
   ImGui::PopID();
+}
+
+// Who else changes with an edit, before anything is edited.
+void MaterialPanel::draw_sharing(PanelContext& context) {
+  const ProjectPtr project = context.document.project();
+  const Selection& selection = context.selection;
+  std::string names;
+  int users = 0;
+  for (const PartState& part : project->parts) {
+    if (part.material != selection.material) continue;
+    names += (users++ == 0 ? "" : ", ") + part.name;
+  }
+  const RowColumns row = next_row();
+  ImGui::SetCursorScreenPos(ImVec2(row.left, std::floor(row.top + (row.height - ImGui::GetTextLineHeight()) / 2)));
+  ImGui::PushStyleColor(ImGuiCol_Text, users > 1 ? theme().changed : theme().dim);
+  cell_text((users > 1 ? fmt::format("Shared by {} parts", users) : "Only on " + names).c_str());
+  ImGui::PopStyleColor();
+  if (users > 1) hover_text(("An edit changes all of them: " + names).c_str());
+  constexpr const char* kUnique = "Make unique";
+  const float width = ImGui::CalcTextSize(kUnique).x + px(20);
+  ImGui::SetCursorScreenPos(ImVec2(row.number_end - width, std::floor(row.top + (row.height - px(22)) / 2)));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), std::floor((px(22) - ImGui::GetFontSize()) / 2)));
+  ImGui::BeginDisabled(selection.part < 0 || users < 2);
+  if (ImGui::Button(kUnique, ImVec2(width, px(22))))
+    context.document.edit(make_material_unique(*project, selection.part));
+  ImGui::EndDisabled();
+  ImGui::PopStyleVar();
+  hover_text(users > 1 ? "Gives the selected part a copy of its own; edits leave the others alone then"
+                       : "No other part shows this material");
+  end_row(row);
 }
 
 void MaterialPanel::draw_cluster(PanelContext& context) {
@@ -150,21 +181,11 @@ void MaterialPanel::draw_residual(PanelContext& context) {
 }
 
 void MaterialPanel::draw_buttons(PanelContext& context) {
-  const ProjectPtr project = context.document.project();
-  const Selection selection = context.selection;
   gap(4);
   ImGui::BeginDisabled(!context.save_preset_as);
-  if (ImGui::Button("Save preset…")) context.save_preset_as(selection.material);
+  if (ImGui::Button("Save preset…")) context.save_preset_as(context.selection.material);
   ImGui::EndDisabled();
   hover_text("Keeps this material with its edits in your library");
-  ImGui::SameLine();
-  const auto users = std::count_if(project->parts.begin(), project->parts.end(),
-                                   [&](const PartState& part) { return part.material == selection.material; });
-  ImGui::BeginDisabled(selection.part < 0 || users < 2);
-  if (ImGui::Button("Make unique")) context.document.edit(make_material_unique(*project, selection.part));
-  ImGui::EndDisabled();
-  hover_text(users > 1 ? fmt::format("{} parts share this material; gives the selected one a copy", users).c_str()
-                       : "No other part shows this material");
 }
 
 }  // namespace vamp::ui

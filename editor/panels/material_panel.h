@@ -11,6 +11,7 @@ class MaterialPanel {
   void draw(PanelContext& context);
 
  private:
+  void draw_sharing(PanelContext& context);
   void draw_cluster(PanelContext& context);
   void draw_resets(PanelContext& context);
   void draw_residual(PanelContext& context);
