@@ -19,6 +19,7 @@ namespace vamp::ui {
 namespace {
 
 constexpr float kSmall = 0.01f;  // of the cluster's energy: below it a row is folded away
+constexpr size_t kMost = 10;     // rows that are shown unasked
 
 size_t at(int index) { return static_cast<size_t>(index); }
 
@@ -70,9 +71,10 @@ void BasisTable::refresh(const PanelContext& context) {
   });
 }
 
-bool BasisTable::is_small(const PanelContext& context, int basis) const {
-  return energy_[at(basis)] < kSmall && fitted_energy_[at(basis)] < kSmall && basis != context.selection.basis &&
-         !differs(edits_, {cluster_, basis});
+bool BasisTable::is_folded(const PanelContext& context, size_t place) const {
+  const int basis = order_[place];
+  const bool small = energy_[at(basis)] < kSmall && fitted_energy_[at(basis)] < kSmall;
+  return (small || place >= kMost) && basis != context.selection.basis && !differs(edits_, {cluster_, basis});
 }
 
 void BasisTable::draw(PanelContext& context) {
@@ -80,9 +82,10 @@ void BasisTable::draw(PanelContext& context) {
   if (std::find(order_.begin(), order_.end(), context.selection.basis) == order_.end()) {
     context.selection.basis = order_.empty() ? -1 : order_.front();
   }
-  const auto small = static_cast<size_t>(
-      std::count_if(order_.begin(), order_.end(), [&](int basis) { return is_small(context, basis); }));
-  shown_ = all_ ? order_.size() : order_.size() - small;
+  std::vector<int> rows;  // a click on a switch may sort anew
+  for (size_t place = 0; place < order_.size(); ++place)
+    if (all_ || !is_folded(context, place)) rows.push_back(order_[place]);
+  shown_ = rows.size();
   const std::string title = fmt::format("Bases by contribution — {} of {} shown", shown_, order_.size());
   section(title.c_str());
   gap(2);
@@ -91,26 +94,23 @@ void BasisTable::draw(PanelContext& context) {
     return;
   }
   if (ImGui::BeginTable("bases", 5)) {
-    ImGui::TableSetupColumn("M S L", ImGuiTableColumnFlags_WidthFixed, px(58));
-    ImGui::TableSetupColumn("Basis", ImGuiTableColumnFlags_WidthStretch, 1.2f);
+    ImGui::TableSetupColumn("M S L", ImGuiTableColumnFlags_WidthFixed, px(56));
+    ImGui::TableSetupColumn("Basis", ImGuiTableColumnFlags_WidthStretch, 1.45f);
     ImGui::TableSetupColumn("Model", ImGuiTableColumnFlags_WidthStretch, 1.0f);
     ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, px(58));
-    ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, px(84));
+    ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, px(72));
     ImGui::TableNextRow();
     for (const char* head : {" M   S   L", "Basis", "Model", "Weight", "Energy"}) {
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", head);
     }
-    const std::vector<int> order = order_;  // a click on a switch may sort anew
-    for (const int basis : order) {
-      if (all_ || !is_small(context, basis)) draw_row(context, basis);
-    }
+    for (const int basis : rows) draw_row(context, basis);
     ImGui::EndTable();
   }
-  if (small > 0) {
-    const std::string more = all_ ? "Fold small ones" : fmt::format("{} more", small);
+  if (all_ || shown_ < order_.size()) {
+    const std::string more = all_ ? "Fold small ones" : fmt::format("{} more", order_.size() - shown_);
     if (ImGui::SmallButton(more.c_str())) all_ = !all_;
-    hover_text("Functions that carry less than 1 % of the cluster's light");
+    hover_text("Functions that carry little of the cluster's light");
   }
   gap(2);
 }

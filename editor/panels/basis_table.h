@@ -19,7 +19,7 @@ class BasisTable {
  private:
   void refresh(const PanelContext& context);
   void draw_row(PanelContext& context, int basis);
-  bool is_small(const PanelContext& context, int basis) const;
+  bool is_folded(const PanelContext& context, size_t place) const;
 
   SpmmPtr fit_;
   EditLayer edits_;

@@ -25,8 +25,8 @@ void add_panels(Dock& dock, Panels& panels, PanelContext& context) {
 
 DockLayout default_layout() {
   using L = DockLayout;
-  auto lower = L::column(L::leaf({"parts", "lights", "camera"}), L::leaf({"history", "log"}), 150, 0.74f);
-  auto left = L::column(L::leaf({"presets"}), std::move(lower), 360, 0.38f);
+  auto lower = L::column(L::leaf({"parts", "lights", "camera"}), L::leaf({"history", "log"}), 120, 0.78f);
+  auto left = L::column(L::leaf({"presets"}), std::move(lower), 340, 0.37f);
   auto right = L::row(L::leaf({"viewport"}), L::leaf({"material", "render"}), 432);
   return L(L::row(std::move(left), std::move(right), 290));
 }
