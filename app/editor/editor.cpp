@@ -49,7 +49,7 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
     if (session_) session_->set_project(now, reason);
   });
   files_.replaced = [this](bool fresh) { take_document(fresh); };
-  preset_dialog_.saved = [this] { window_.wake(); };
+  preset_dialog_.saved = [this](const SavedPreset& saved) { become_preset(saved); };
   snapshot_.busy = [this](bool running) {
     if (session_) session_->pause(running || paused_);
   };

@@ -55,6 +55,8 @@ class Editor {
 
   // editor_tasks.cpp: what actions and panels ask for.
   void assign_preset_file(const std::filesystem::path& path, int part);
+  void put_on_part(const Preset& preset, const std::filesystem::path& path, int part);
+  void become_preset(const SavedPreset& saved);
   void load_environment(const std::filesystem::path& path);
   void choose_preset_file();
   void choose_environment();

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "app/editor/editor.h"
+#include "editor/model/edits_material.h"
 #include "editor/model/edits_scene.h"
 #include "editor/widgets/notify.h"
 #include "engine/core/files.h"
@@ -22,10 +23,46 @@ void Editor::assign_preset_file(const fs::path& path, int part) {
         if (!preset) return ui::notify(ui::Notice::error, preset.error().message());
         // By its name: another document may be open by now.
         const int still = find_part(project(), name);
-        if (still < 0) return;
-        document_.edit(put_preset(project(), still, std::make_shared<const Preset>(std::move(*preset)), path.string()));
-        selection_ = select_part(project(), still);
+        if (still >= 0) put_on_part(*preset, path, still);
       });
+}
+
+// As it was saved. Who meant what was made of it in this document takes that with one more click.
+void Editor::put_on_part(const Preset& preset, const fs::path& path, int part) {
+  const ProjectPtr before = document_.project();
+  document_.edit(put_preset(*before, part, std::make_shared<const Preset>(preset), path.string()));
+  selection_ = select_part(project(), part);
+  const MaterialInstance& now = project().materials[static_cast<size_t>(selection_.material)];
+  // The part's own if it was one, else the first.
+  const MaterialInstance* edited = nullptr;
+  for (size_t i = 0; i < before->materials.size(); ++i) {
+    const MaterialInstance& other = before->materials[i];
+    if (other.preset != now.preset || other.checksum != now.checksum || other.edits == now.edits) continue;
+    const bool own = before->parts[static_cast<size_t>(part)].material == static_cast<int>(i);
+    if (edited == nullptr || own) edited = &other;
+  }
+  if (edited == nullptr) return;
+  const std::string& name = before->parts[static_cast<size_t>(part)].name;
+  ui::notify(ui::Notice::info,
+             preset.name + " is on " + name + " as it was saved. There is an edited one in this project.",
+             "Use the edited one", [this, name, edited = *edited] {
+               const int still = find_part(project(), name);
+               if (still < 0) return;
+               Edit again = paste_material(project(), still, edited);
+               again.name = edited.name + " (edited) on " + name;
+               document_.edit(again);
+               selection_ = select_part(project(), still);
+             });
+}
+
+// The material that was saved, if it is still there: from now on it goes by its new name.
+void Editor::become_preset(const SavedPreset& saved) {
+  const std::vector<MaterialInstance>& materials = project().materials;
+  for (size_t i = 0; i < materials.size(); ++i)
+    if (materials[i].name == saved.material && materials[i].fit == saved.fit) {
+      document_.edit(vamp::become_preset(project(), static_cast<int>(i), saved.preset, saved.path.string()));
+      return;
+    }
 }
 
 void Editor::choose_preset_file() {

@@ -11,6 +11,7 @@
 #include "editor/widgets/notify.h"
 #include "editor/widgets/theme.h"
 #include "engine/core/log.h"
+#include "engine/core/text.h"
 #include "engine/project/file_reference.h"
 
 namespace vamp {
@@ -45,9 +46,16 @@ void PresetDialog::open(const Project& project, int material) {
     preset_.tags = entry.info.tags;
     break;
   }
-  name_ = instance.name;
+  name_ = material_ = instance.name;
   tags_ = fmt::format("{}", fmt::join(preset_.tags, ", "));
   open_ = true;
+}
+
+// A preset of the user's that is called so already, whatever the case.
+const LibraryEntry* PresetDialog::own_of_this_name() const {
+  for (const LibraryEntry& entry : library_.entries())
+    if (entry.writable && entry.problem.empty() && lower(entry.info.name) == lower(name_)) return &entry;
+  return nullptr;
 }
 
 void PresetDialog::draw() {
@@ -55,27 +63,39 @@ void PresetDialog::draw() {
   ImGui::TextUnformatted("Name");
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ui::gap(4);
   ImGui::TextUnformatted("Tags, with commas between them");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputText("##tags", &tags_);
-  ui::gap(8);
-  const std::string_view name(name_);
-  const bool named = name.find_first_not_of(" \t") != std::string_view::npos;
+  ui::gap(4);
+  const LibraryEntry* const same = own_of_this_name();
+  ImGui::PushStyleColor(ImGuiCol_Text, same != nullptr ? ui::theme().changed : ui::theme().dim);
+  ImGui::TextWrapped("%s", same != nullptr ? "You have a preset of this name."
+                                           : "Goes to your own presets; the material then bears this name.");
+  ImGui::PopStyleColor();
+  ui::gap(4);
+  const bool named = name_.find_first_not_of(" \t") != std::string::npos;
   ImGui::BeginDisabled(!named);
-  const bool go = (ui::primary_button("Save", ui::px(96)) || entered) && named;
+  const bool go = (ui::primary_button(same != nullptr ? "Replace it" : "Save", ui::px(96)) || entered) && named;
+  bool both = false;
+  if (same != nullptr) {
+    ImGui::SameLine();
+    both = ImGui::Button("Keep both", ImVec2(ui::px(96), ui::px(28)));
+  }
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("Cancel", ImVec2(ui::px(84), ui::px(28)))) open_ = false;
-  if (go) open_ = false;
+  if (go || both) open_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
   ui::end_dialog();
-  if (go) start();
+  if (go || both) start(same != nullptr && go ? same->info.path : std::filesystem::path());
 }
 
-// Renders its thumbnail on a worker; a preset without one is still a preset.
-void PresetDialog::start() {
+// Renders its thumbnail on a worker; a preset without one is still a preset. `over`: a preset of the user's that it
+// replaces; empty: a new one.
+void PresetDialog::start(const std::filesystem::path& over) {
   preset_.name = name_.substr(0, 200);
   preset_.tags = split_tags(tags_);
   ++saving_;
@@ -98,14 +118,22 @@ void PresetDialog::start() {
         }
         return std::move(preset);
       },
-      [this](Result<Preset> preset) {
+      [this, over, material = material_](Result<Preset> preset) {
         --saving_;
-        if (!preset) return;
-        const auto path = library_.save_new(*preset);
-        if (!path) return ui::notify(ui::Notice::error, path.error().message());
-        ui::notify(ui::Notice::done, "Preset saved: " + path->string());
-        if (saved) saved();
+        if (preset) finish(std::move(*preset), over, material);
       });
+}
+
+void PresetDialog::finish(Preset preset, const std::filesystem::path& over, const std::string& material) {
+  const Status replaced = over.empty() ? Status() : library_.overwrite(over, preset);
+  if (!replaced) return ui::notify(ui::Notice::error, replaced.error().message());
+  const Result<std::filesystem::path> path = over.empty() ? library_.save_new(preset) : over;
+  if (!path) return ui::notify(ui::Notice::error, path.error().message());
+  ui::notify(ui::Notice::done, "Preset saved: " + path->string());
+  // As the next session will read it.
+  auto written = load_preset(*path);
+  if (!written) return ui::notify(ui::Notice::error, written.error().message());
+  if (saved) saved({*path, std::move(*written), material, preset.fit});
 }
 
 }  // namespace vamp

@@ -1,5 +1,6 @@
 #pragma once
 // Keeping a material of the document as a preset of the user's library.
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -13,6 +14,14 @@ namespace gpu {
 class Device;
 }
 
+// A material that is a preset now.
+struct SavedPreset {
+  std::filesystem::path path;
+  Preset preset;         // as it is on disk
+  std::string material;  // the name that it had in the document
+  SpmmPtr fit;           // that it had there
+};
+
 class PresetDialog {
  public:
   PresetDialog(gpu::Device& device, PresetLibrary& library, JobQueue& jobs);
@@ -22,17 +31,20 @@ class PresetDialog {
   // Presets that are on their way to the library.
   int saving() const { return saving_; }
 
-  // Told after the library has a new preset.
-  std::function<void()> saved;
+  // Told after the library has it.
+  std::function<void(const SavedPreset&)> saved;
 
  private:
-  void start();
+  const LibraryEntry* own_of_this_name() const;
+  void start(const std::filesystem::path& over);
+  void finish(Preset preset, const std::filesystem::path& over, const std::string& material);
 
   gpu::Device& device_;
   PresetLibrary& library_;
   JobQueue& jobs_;
   Preset preset_;
-  std::string origin_;  // reference of the preset that it began as; may be empty
+  std::string origin_;    // reference of the preset that it began as; may be empty
+  std::string material_;  // its name in the document
   std::string name_, tags_;
   bool open_ = false;
   int saving_ = 0;

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <set>
 #include <utility>
 
 #include "engine/brdf/registry.h"
+#include "engine/project/file_reference.h"
+#include "engine/project/fit_checksum.h"
 #include "engine/project/limits.h"
 
 namespace vamp {
@@ -273,6 +276,26 @@ Edit rename_material(const Project& project, int material, std::string name) {
   return edit_material(project, material, "Name", [name = name.substr(0, kMaxNameBytes)](MaterialInstance& target) {
     if (!name.empty()) target.name = name;
   });
+}
+
+Edit become_preset(const Project& project, int material, const Preset& saved, const std::string& path) {
+  std::set<std::string_view> taken;
+  for (size_t i = 0; i < project.materials.size(); ++i)
+    if (static_cast<int>(i) != material) taken.insert(project.materials[i].name);
+  const std::string wanted = saved.name.substr(0, kMaxNameBytes - 8);
+  std::string name = wanted;
+  for (int i = 2; taken.contains(name); ++i) name = fmt::format("{} {}", wanted, i);
+  Edit edit =
+      edit_material(project, material, "Preset",
+                    [name, path, fit = saved.fit, checksum = fit_checksum(*saved.fit)](MaterialInstance& target) {
+                      target.name = name;
+                      target.preset = make_reference(path);
+                      target.model_part.clear();
+                      // A model's own material is rounded when it is saved; a preset's tables stay as they are.
+                      if (std::exchange(target.checksum, checksum) != checksum) target.fit = fit;
+                    });
+  edit.name = "Save preset " + saved.name;
+  return edit;
 }
 
 Edit set_residual_terms(const Project& project, int material, int terms) {

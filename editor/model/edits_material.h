@@ -46,6 +46,9 @@ Edit reset_material(const Project& project, int material);  // all rows but lock
 // An empty name is the fit's again.
 Edit rename_cluster(const Project& project, int material, int cluster, std::string name);
 Edit rename_material(const Project& project, int material, std::string name);
+// It was saved as a preset, here as it is on disk: from now on it is an instance of that one and bears its name. What
+// was edited meanwhile stays.
+Edit become_preset(const Project& project, int material, const Preset& saved, const std::string& path);
 Edit set_residual_terms(const Project& project, int material, int terms);
 Edit set_residual_strength(const Project& project, int material, float strength);
 Edit set_residual_policy(const Project& project, int material, ResidualPolicy policy);

@@ -4,6 +4,7 @@
 
 #include "editor/model/edits_scene.h"
 #include "editor/panels/fit_figures.h"
+#include "editor/panels/material_drop.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/hover.h"
 
@@ -22,6 +23,26 @@ void presets_menu(PanelContext& context, int part) {
   ImGui::EndMenu();
 }
 
+// The materials of the other parts, with their edits.
+void materials_menu(PanelContext& context, int part) {
+  const ProjectPtr project = context.document.project();
+  const int own = project->parts[static_cast<size_t>(part)].material;
+  if (!ImGui::BeginMenu("Share the material of", project->materials.size() > 1)) return;
+  for (int i = 0; i < static_cast<int>(project->materials.size()); ++i) {
+    if (i == own) continue;
+    const MaterialInstance& material = project->materials[static_cast<size_t>(i)];
+    std::string users;
+    for (const PartState& other : project->parts)
+      if (other.material == i) users += (users.empty() ? "" : ", ") + other.name;
+    ImGui::PushID(i);
+    if (ImGui::MenuItem(material.name.c_str(), is_edited(context, material) ? "edited" : nullptr))
+      share_with_part(context, i, part);
+    hover_text(("On " + users).c_str());
+    ImGui::PopID();
+  }
+  ImGui::EndMenu();
+}
+
 }  // namespace
 
 void part_menu(PanelContext& context, int part) {
@@ -30,6 +51,7 @@ void part_menu(PanelContext& context, int part) {
   ImGui::TextDisabled("%s", state.name.c_str());
   ImGui::Separator();
   presets_menu(context, part);
+  materials_menu(context, part);
   if (ImGui::MenuItem("Copy material", "Ctrl+C")) copy_material(context, part);
   if (ImGui::MenuItem("Paste material", "Ctrl+V", false, can_paste_material(context)))
     paste_material_onto(context, part);

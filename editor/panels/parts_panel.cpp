@@ -9,6 +9,7 @@
 #include "editor/panels/apply_edit.h"
 #include "editor/panels/fit_figures.h"
 #include "editor/panels/lengths.h"
+#include "editor/panels/material_drop.h"
 #include "editor/panels/part_menu.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/actions.h"
@@ -66,6 +67,7 @@ void PartsPanel::draw_table(PanelContext& context) {
       ImGui::TableNextColumn();
       ImGui::PushID(i);
       if (row_selectable("##row", selected, px(20)) && !selected) context.selection = select_part(*project, i);
+      accept_material(context, i);
       if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) fit_part(context, i);
       if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) {
         context.selection = select_part(*project, i);

@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "editor/model/edits_scene.h"
+#include "editor/panels/material_drop.h"
+#include "editor/panels/no_document.h"
 #include "editor/panels/part_menu.h"
-#include "editor/panels/presets_panel.h"
 #include "editor/panels/subject.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/edit.h"
@@ -46,7 +47,7 @@ void ViewportPanel::draw(PanelContext& context) {
   // Also while something else is dragged over it.
   const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   update_hover(context, low, over && drag_ != Drag::orbit && drag_ != Drag::pan);
-  accept_drop(context);
+  accept_material(context, context.hover.part);
   handle_mouse(context, low, size, hovered);
   handle_keys(context, hovered);
   draw_chips(context, low, size, over);
@@ -182,16 +183,6 @@ void ViewportPanel::handle_keys(PanelContext& context, bool hovered) {
   const float yaw = (pressed(kKeyRight) - pressed(kKeyLeft)) * step;
   const float pitch = (pressed(kKeyUp) - pressed(kKeyDown)) * step;
   if (yaw != 0 || pitch != 0) context.document.set_camera(orbit(context.document.project()->camera, yaw, pitch));
-}
-
-void ViewportPanel::accept_drop(PanelContext& context) {
-  if (!ImGui::BeginDragDropTarget()) return;
-  if (context.hover.part >= 0) {
-    if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kPresetPayload)) {
-      if (context.assign_preset) context.assign_preset(preset_of_payload(*payload), context.hover.part);
-    }
-  }
-  ImGui::EndDragDropTarget();
 }
 
 }  // namespace vamp::ui

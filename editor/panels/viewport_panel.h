@@ -24,7 +24,6 @@ class ViewportPanel {
   void handle_keys(PanelContext& context, bool hovered);
   void zoom(PanelContext& context, ImVec2 low, ImVec2 size) const;
   void click(PanelContext& context);
-  void accept_drop(PanelContext& context);
   void draw_menu(PanelContext& context);
   void draw_chips(const PanelContext& context, ImVec2 low, ImVec2 size, bool over) const;
 

@@ -18,6 +18,8 @@ struct Message {
   Notice kind;
   std::string text;
   double until;  // ImGui's time; infinite for errors
+  std::string button = {};
+  std::function<void()> pressed = {};
 };
 std::vector<Message> g_messages;
 
@@ -40,17 +42,26 @@ ImU32 stripe(Notice kind) {
   return theme().accent_line;
 }
 
+void show(Message message) {
+  std::erase_if(g_messages, [&](const Message& other) { return other.text == message.text; });
+  if (g_messages.size() >= 6) g_messages.erase(g_messages.begin());
+  g_messages.push_back(std::move(message));
+}
+
 }  // namespace
 
-void notify(Notice kind, std::string text) {
-  std::erase_if(g_messages, [&](const Message& message) { return message.text == text; });
-  if (g_messages.size() >= 6) g_messages.erase(g_messages.begin());
-  g_messages.push_back({kind, std::move(text), ImGui::GetTime() + lifetime(kind)});
+void notify(Notice kind, std::string text) { show({kind, std::move(text), ImGui::GetTime() + lifetime(kind)}); }
+
+void notify(Notice kind, std::string text, std::string button, std::function<void()> pressed) {
+  constexpr double kTimeToDecide = 20;
+  show({kind, std::move(text), ImGui::GetTime() + std::max(lifetime(kind), kTimeToDecide), std::move(button),
+        std::move(pressed)});
 }
 
 void draw_notices(ImVec2 low, ImVec2 high) {
   const double now = ImGui::GetTime();
   std::erase_if(g_messages, [&](const Message& message) { return message.until <= now; });
+  std::function<void()> pressed;
   float bottom = high.y - px(12);
   const float width = std::min(px(420), high.x - low.x - px(24));
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
@@ -62,7 +73,8 @@ void draw_notices(ImVec2 low, ImVec2 high) {
     ImFormatString(name, sizeof name, "##notice%zu", i);
     const float wrap = width - px(44);
     const ImVec2 text = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, wrap);
-    const ImVec2 size(width, text.y + px(20));
+    const bool asks = !message.button.empty();
+    const ImVec2 size(width, text.y + px(asks ? 54 : 20));
     ImGui::SetNextWindowPos(ImVec2(high.x - px(12) - width, bottom - size.y));
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(58, 58, 58, 255));
@@ -76,13 +88,22 @@ void draw_notices(ImVec2 low, ImVec2 high) {
       ImGui::PopTextWrapPos();
       ImGui::SetCursorScreenPos(ImVec2(at.x + width - px(24), at.y + px(6)));
       if (icon_button("##close", Icon::close, "")) message.until = 0;
-      if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) message.until = 0;
+      if (asks) {
+        ImGui::SetCursorScreenPos(ImVec2(at.x + px(14), at.y + text.y + px(18)));
+        if (ImGui::Button(message.button.c_str(), ImVec2(0, px(26)))) {
+          pressed = message.pressed;
+          message.until = 0;
+        }
+      } else if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) {
+        message.until = 0;
+      }
     }
     ImGui::End();
     ImGui::PopStyleColor();
     if (message.until == 0) request_frame(0);
     bottom -= size.y + px(8);
   }
+  if (pressed) pressed();  // it may have something to say itself
 }
 
 bool begin_dialog(const char* title, bool& open, float width) {

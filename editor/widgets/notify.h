@@ -13,6 +13,8 @@ enum class Notice { info, done, warning, error };
 // Shows a message in the lower right corner: infos for 4 s, warnings for 8 s, errors until they are clicked away. The
 // same message again only renews it.
 void notify(Notice kind, std::string text);
+// With a button for what one may want next; it stays for 20 s.
+void notify(Notice kind, std::string text, std::string button, std::function<void()> pressed);
 void draw_notices(ImVec2 low, ImVec2 high);  // in front of everything, inside this rectangle; once a frame
 
 // Begins a modal dialog in the middle of the window; call end_dialog() where it returned true. Esc or the window's

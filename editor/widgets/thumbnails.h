@@ -18,19 +18,30 @@ class ThumbnailGrid {
     bool menu = false;       // right click
   };
 
-  // One item. `picture` 0 shows a grey field. While it is dragged ImGui carries `payload` under `payload_type` (at most
-  // 32 characters; null: it cannot be dragged). `note` is for the tooltip.
-  Result item(const char* id, ImTextureID picture, const char* name, bool selected, const char* payload_type,
-              const std::string& payload, const char* note);
+  struct Item {
+    const char* id;
+    ImTextureID picture = nullptr;  // null shows the ground alone
+    const char* name;               // over up to three lines
+    const char* note = "";          // for the tooltip, below the whole name
+    bool selected = false;
+    bool changed = false;  // an amber dot: it is not what it was saved as
+    // While it is dragged ImGui carries `payload` under this type (at most 32 characters); null: it cannot be dragged.
+    const char* payload_type = nullptr;
+    std::string payload;
+  };
+  Result item(const Item& item);
 
   void end();
 
  private:
+  float caption(const char* name, ImVec2 low, bool selected) const;
+
   float cell_ = 0;
   float spacing_ = 0;
   int columns_ = 1;
-  int index_ = 0;
+  int column_ = 0;
   ImVec2 origin_;
+  float top_ = 0, bottom_ = 0;  // of the line of items that is being drawn
 };
 
 }  // namespace vamp::ui

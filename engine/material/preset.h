@@ -26,6 +26,7 @@ struct PresetInfo {
   std::string name;
   std::vector<std::string> tags;
   vec2 size_mm{0, 0};
+  EditLayer edits;
   std::vector<std::byte> thumbnail_png;
 };
 

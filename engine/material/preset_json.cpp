@@ -242,6 +242,7 @@ Result<PresetInfo> info_from_json(std::string_view text, std::string_view file) 
   read_head(root, info.name, info.tags);
   const JsonReader size = root.member("size_mm");
   info.size_mm = {size.element(0).number(0, 1e9f), size.element(1).number(0, 1e9f)};
+  if (root.has("edits")) info.edits = to_edits(root.member("edits"));
   VAMP_CHECK_STATUS(root.status());
   return info;
 }

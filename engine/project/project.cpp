@@ -111,6 +111,7 @@ void assign_preset(Project& project, int part, const Preset& preset, const std::
     const MaterialInstance& material = project.materials[i];
     if (material.preset != reference || material.checksum != checksum) continue;
     fit = material.fit;  // one table in memory, also for copies that are edited apart
+    if (material.edits != preset.edits) continue;
     if (index < 0 || target.material == static_cast<int>(i)) index = static_cast<int>(i);
   }
   if (index < 0) {

@@ -100,8 +100,8 @@ inline constexpr size_t kMaxLights = 14;  // that the renderer keeps apart (MAX_
 // bounds, ambient 0.15, background 0.18), said in the log; where it has no camera, a three-quarter view that fits it.
 Project make_project(std::shared_ptr<const Scene> scene, const std::filesystem::path& model);
 
-// Puts a preset on a part: reuses the instance that already holds it, else adds one with the preset's edits; drops
-// instances no part uses. `path`: a file or a reference.
+// Puts a preset on a part as it was saved: reuses the instance that holds it with just the preset's edits, else adds
+// one; drops instances no part uses. `path`: a file or a reference.
 void assign_preset(Project& project, int part, const Preset& preset, const std::string& path);
 
 // Takes the preset off a part: the model's own material shows again, unedited.

@@ -138,10 +138,25 @@ TEST_F(Window, KeepsAMaterialAsAPreset) {
   const auto picture = decode_image(preset->thumbnail_png, "thumbnail");
   ASSERT_TRUE(picture) << picture.error().message();
   EXPECT_EQ(picture->width, picture->height);
-  // The unsaved edit is given up on purpose: the right arrow leads from "Save" to "Discard".
+  // On the same ground as the shipped ones.
+  EXPECT_EQ(picture->channels.size(), 3u);
+  const auto shipped = load_preset_info(shipped_dir("presets") / "calf.vamp");
+  ASSERT_TRUE(shipped) << shipped.error().message();
+  const auto calf = decode_image(shipped->thumbnail_png, "calf");
+  ASSERT_TRUE(calf) << calf.error().message();
+  for (const int x : {0, picture->width - 1})
+    EXPECT_NEAR(picture->at(x, 0, 1), calf->at(x * (calf->width - 1) / (picture->width - 1), 0, 1), 0.01f);
+  // The material is that preset now.
+  const auto material = [&] {
+    editor.key("ctrl+s");
+    const auto project = load_project(document());
+    const size_t index = project ? static_cast<size_t>(project->parts[0].material) : 0;
+    return project ? project->materials[index] : MaterialInstance{};
+  };
+  EXPECT_TRUE(wait_until([&] { return material().name == "Mine"; })) << editor.log();
+  EXPECT_TRUE(material().preset.starts_with("library:")) << material().preset;
+  EXPECT_EQ(material().edits, preset->edits);
   editor.key("ctrl+q");
-  editor.key("Right");
-  editor.key("space");
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
 }
 
@@ -163,21 +178,6 @@ TEST_F(Window, ExportsASnapshotThatCanBeRenderedAgain) {
   EXPECT_EQ(first->pixels, again->pixels);
 }
 
-TEST_F(Window, AsksBeforeAnotherPictureIsReplaced) {
-  EditorRun editor(display(), home(), {document().string()}, 820, 480);
-  ASSERT_TRUE(editor.shows_picture()) << editor.log();
-  ASSERT_TRUE(write_text_atomically(home() / "boxes.png", "somebody's picture"));
-  const auto size = [&] { return fs::file_size(home() / "boxes.png"); };
-  const auto type_the_name = [&] {
-    editor.key("F12");
-    editor.click(410, 318);  // the row of the file
-    editor.key("ctrl+a");
-    editor.type((home() / "boxes.png").string());
-    editor.key("Return");  // ends the typing
-  };
-  editor.move(320, 240);
-  type_the_name();
-  editor.key("Return");
 TEST_F(Window, ReturnInAFieldOfTheSnapshotEndsTheTypingAlone) {
   EditorRun editor(display(), home(), {document().string()}, 820, 480);
   ASSERT_TRUE(editor.shows_picture()) << editor.log();
@@ -204,6 +204,21 @@ TEST_F(Window, ReturnInAFieldOfTheSnapshotEndsTheTypingAlone) {
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
 }
 
+TEST_F(Window, AsksBeforeAnotherPictureIsReplaced) {
+  EditorRun editor(display(), home(), {document().string()}, 820, 480);
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  ASSERT_TRUE(write_text_atomically(home() / "boxes.png", "somebody's picture"));
+  const auto size = [&] { return fs::file_size(home() / "boxes.png"); };
+  const auto type_the_name = [&] {
+    editor.key("F12");
+    editor.click(410, 318);  // the row of the file
+    editor.key("ctrl+a");
+    editor.type((home() / "boxes.png").string());
+    editor.key("Return");  // ends the typing
+  };
+  editor.move(320, 240);
+  type_the_name();
+  editor.key("Return");
   editor.key("Escape");
   EXPECT_EQ(size(), 18u);
   type_the_name();
@@ -229,14 +244,29 @@ TEST_F(Window, OpensAnotherFileByItsTypedPath) {
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
 }
 
-TEST_F(Window, StaysUsableWhenAFileIsDamaged) {
+TEST_F(Window, OffersWaysOnWhenAFileIsDamaged) {
   ASSERT_TRUE(write_text_atomically(home() / "broken.glb", "glTF, but not really"));
   EditorRun editor(display(), home(), {(home() / "broken.glb").string()});
   ASSERT_TRUE(wait_until([&] { return editor.log().find("broken.glb") != std::string::npos; })) << editor.log();
-  editor.move(554, 420);
   EXPECT_TRUE(editor.running());
+  // "The shipped shoe" stands beside "Open…".
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  editor.key("Tab Right space");
+  EXPECT_TRUE(editor.shows_picture()) << editor.log();
   editor.key("ctrl+q");
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
+TEST(WithoutADisplay, ADamagedFileIsStillToldByItsOwnCode) {
+  const test::TemporaryHome home;
+  ASSERT_TRUE(write_text_atomically(home.path() / "broken.glb", "glTF, but not really"));
+  int code = 0;
+  const std::string said = output_of(
+      "env -u DISPLAY -u WAYLAND_DISPLAY " VAMP_PROGRAM " edit " + (home.path() / "broken.glb").string() + " 2>&1",
+      &code);
+  EXPECT_EQ(code, 3);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  EXPECT_NE(said.find("broken.glb"), std::string::npos) << said;
 }
 
 TEST(WithoutADisplay, TheEditorSaysSoInOneLine) {

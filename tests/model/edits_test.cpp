@@ -34,6 +34,21 @@ TEST_F(Edits, AreNamedAfterWhatTheyAreDoneTo) {
   EXPECT_EQ(set_mirror(project(), 1, 0.1f).name, "Mirror of sole");
 }
 
+TEST_F(Edits, AMaterialThatWasSavedAsAPresetBearsItsNameAndFollowsIt) {
+  document_.edit(set_gain(project(), one_row(calf(), {0, 1}), vec3(2)));
+  const MaterialInstance before = material();
+  Preset saved = test::small_preset("lace");  // as another material of the document is called
+  saved.edits = before.edits;
+  EXPECT_TRUE(document_.edit(become_preset(project(), calf(), saved, "library:lace.vamp")));
+  EXPECT_EQ(material().name, "lace 2");
+  EXPECT_EQ(material().preset, "library:lace.vamp");
+  EXPECT_EQ(material().edits, before.edits);
+  EXPECT_EQ(material().fit, before.fit);  // the same tables, which stay where they are
+  EXPECT_TRUE(validate(project(), ""));
+  document_.undo();
+  EXPECT_EQ(material(), before);
+}
+
 TEST_F(Edits, OfOneRowTouchThatRowAlone) {
   EXPECT_TRUE(document_.edit(set_gain(project(), one_row(calf(), {1, 2}), {2, 1, 0.5f})));
   EXPECT_EQ(material().edits.bases.size(), 1u);

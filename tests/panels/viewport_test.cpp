@@ -1,6 +1,8 @@
 // The picture under the mouse: what selects, what moves the camera, what does neither.
+#include <cstring>
 #include <glm/geometric.hpp>
 
+#include "editor/panels/material_drop.h"
 #include "editor/panels/subject.h"
 #include "editor/panels/view_commands.h"
 #include "tests/panels/panel_test.h"
@@ -223,56 +225,57 @@ TEST_F(Viewport, ADoubleClickOnNothingFits) {
   EXPECT_LT(glm::length(camera().eye - camera().target), far / 2);
 }
 
-TEST_F(Viewport, APresetDroppedOnAPartIsAssignedToIt) {
-  const auto both = [&] {
+// Something above the picture that can be dragged into it.
+class Dropping : public Viewport {
+ protected:
+  void both(const char* type, const char* payload) {
     frame([&] {
-      ImGui::Button("preset", ImVec2(100, 40));
+      ImGui::Button("source", ImVec2(100, 40));
       if (ImGui::BeginDragDropSource()) {
-        ImGui::SetDragDropPayload(kPresetPayload, "/presets/calf.vamp", 19);
+        ImGui::SetDragDropPayload(type, payload, std::strlen(payload) + 1);
         ImGui::EndDragDropSource();
       }
       ImGui::BeginChild("view", ImVec2(380, 400));
       panel_.draw(context_);
       ImGui::EndChild();
     });
-  };
-  const auto drop_at = [&](float x) {
-    assigned_.clear();
+  }
+  void drop_at(float x, const char* type, const char* payload) {
     move(50, 30);
-    both();
-    both();
+    both(type, payload);
+    both(type, payload);
     press(true);
-    both();
+    both(type, payload);
     for (const float t : {0.3f, 0.6f, 1.0f, 1.0f}) {
       move(50 + (x - 50) * t, 30 + 200 * t);
-      both();
+      both(type, payload);
     }
     press(false);
-    both();
-    both();
-  };
-  drop_at(100);
+    both(type, payload);
+    both(type, payload);
+  }
+};
+
+TEST_F(Dropping, APresetOnAPartIsAssignedToIt) {
+  drop_at(100, kPresetPayload, "/presets/calf.vamp");
   EXPECT_EQ(assigned_, "/presets/calf.vamp");
   EXPECT_EQ(assigned_part_, find_part(*document_.project(), "Vamp"));
-  drop_at(300);
+  assigned_.clear();
+  drop_at(300, kPresetPayload, "/presets/calf.vamp");
   EXPECT_EQ(assigned_, "");
 }
 
-TEST_F(Viewport, ChipsSayWhatTheRendererAndTheMouseDo) {
-  RenderStatus status;
-  status.samples = 256;
-  status.seconds = 18.43;
-  status.noise = 0.008f;
-  status.ms_per_sample = 72;
-  status.device = "llvmpipe (LLVM 15.0.6, 256 bits)";
-  EXPECT_EQ(status_text(status), "256 samples · 18.4 s · noise 0.8 % · 72 ms a sample · llvmpipe");
-  Pick pick;
-  EXPECT_EQ(pick_text(*document_.project(), pick), "");
-  pick.part = find_part(*document_.project(), "Vamp");
-  pick.cluster = 1;
-  EXPECT_EQ(pick_text(*document_.project(), pick), "Vamp · cluster 1 “second” · 7 bases");
-  pick.part = 77;
-  EXPECT_EQ(pick_text(*document_.project(), pick), "");
+TEST_F(Dropping, AMaterialOfTheDocumentOnAPartIsShared) {
+  const auto material_of = [&](const char* part) {
+    const Project& project = *document_.project();
+    return project.parts[static_cast<size_t>(find_part(project, part))].material;
+  };
+  ASSERT_NE(material_of("Vamp"), material_of("Sole"));
+  const std::string name = document_.project()->materials[static_cast<size_t>(material_of("Sole"))].name;
+  drop_at(100, kMaterialPayload, name.c_str());
+  EXPECT_EQ(material_of("Vamp"), material_of("Sole"));
+  EXPECT_EQ(selection_.part, find_part(*document_.project(), "Vamp"));
+  EXPECT_EQ(document_.step_names().size(), 1u);
 }
 
 }  // namespace

@@ -67,6 +67,18 @@ TEST(AssignPreset, SharesTheInstanceThatAlreadyHoldsItAndDropsWhatNoPartShows) {
   EXPECT_TRUE(validate(project, "test"));
 }
 
+TEST(AssignPreset, PutsItAsItWasSavedBesideAnEditedOne) {
+  Project project = small_project();
+  project.materials[static_cast<size_t>(project.parts[0].material)].edits.set({0, 0}, {.gain = vec3(2)});
+  const MaterialInstance edited = project.materials[static_cast<size_t>(project.parts[0].material)];
+  assign_preset(project, 1, small_preset("calf"), "shipped:presets/calf.vamp");
+  EXPECT_EQ(project.materials[static_cast<size_t>(project.parts[0].material)], edited);
+  const MaterialInstance& saved = project.materials[static_cast<size_t>(project.parts[1].material)];
+  EXPECT_EQ(saved.edits, small_preset("calf").edits);
+  EXPECT_EQ(saved.fit, edited.fit);  // one table for both
+  EXPECT_NE(saved.name, edited.name);
+}
+
 TEST(AssignPreset, TakesAnotherInstanceWhenThePresetHasChangedOnDisk) {
   Project project = small_project();
   assign_preset(project, 1, small_preset("calf", 0.9f), "shipped:presets/calf.vamp");

@@ -190,7 +190,14 @@ void Gallery::State::draw_presets() {
   for (size_t i = 0; i < presets.size(); ++i) {
     const Preset& p = presets[i];
     if (!search.empty() && ui::Actions::match(search, p.name) == 0) continue;
-    if (grid.item(p.name, p.picture, p.name, preset == i, "vamp.preset", p.name, "Leather, 40 × 40 mm").clicked) {
+    const ui::ThumbnailGrid::Item item{.id = p.name,
+                                       .picture = p.picture,
+                                       .name = p.name,
+                                       .note = "Leather, 40 × 40 mm",
+                                       .selected = preset == i,
+                                       .payload_type = "vamp.preset",
+                                       .payload = p.name};
+    if (grid.item(item).clicked) {
       preset = i;
     }
   }
