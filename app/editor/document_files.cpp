@@ -127,7 +127,8 @@ void DocumentFiles::load(const fs::path& path) {
         loading_ = nullptr;
         problem_ = project.error().message();
         spdlog::error("{}", problem_);
-        ui::notify(ui::Notice::error, problem_);
+        // Where nothing is open the window says so in the picture's place.
+        if (ready_) ui::notify(ui::Notice::error, problem_);
       });
 }
 

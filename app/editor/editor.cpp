@@ -81,6 +81,13 @@ void Editor::connect_context() {
   context_.assign_preset = [this](const fs::path& path, int part) { assign_preset_file(path, part); };
   context_.save_preset_as = [this](int material) { preset_dialog_.open(project(), material); };
   context_.choose_environment = [this] { choose_environment(); };
+  context_.recent_files = [this] {
+    std::vector<fs::path> there;
+    for (const fs::path& path : files_.recent().list())
+      if (RecentFiles::exists(path)) there.push_back(path);
+    return there;
+  };
+  context_.open_file = [this](const fs::path& path) { files_.open(path); };
   context_.run = [this](const std::string& action) { actions_.run(action); };
   context_.report = [](const std::string& line) { ui::notify(ui::Notice::error, line); };
 }
@@ -181,6 +188,7 @@ void Editor::frame() {
   thumbnails_.deliver();
   files_.tell_problems();
   update_renderer();
+  context_.problem = files_.ready() || files_.loading() ? "" : files_.problem();
 
   ui::ShellContent content;
   content.title = files_.title();

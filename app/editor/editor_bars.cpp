@@ -92,7 +92,7 @@ void Editor::draw_tools_right() {
 }
 
 std::vector<ui::StatusItem> Editor::status_left() const {
-  if (!files_.ready()) return {{files_.loading() ? "Loading…" : files_.problem()}};
+  if (!files_.ready()) return {{files_.loading() ? "Loading…" : "Nothing is open"}};
   const RenderStatus& status = context_.status;
   std::vector<ui::StatusItem> items;
   if (paused_) items.push_back({"Paused", ui::theme().changed, "Render > Pause goes on"});

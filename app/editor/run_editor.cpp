@@ -11,6 +11,7 @@
 #include "editor/widgets/theme.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
+#include "engine/project/project_file.h"
 
 namespace vamp {
 namespace {
@@ -36,6 +37,13 @@ window::WindowOptions window_options(const EditorOptions& options, const Setting
   return wanted;
 }
 
+// Without a window a file can still be judged, and one that is damaged is worth more words than the window.
+Status no_window(const Error& why, const EditorOptions& options) {
+  const Result<Project> project = options.file.empty() ? Project() : open_scene(options.file);
+  if (!project) return tl::unexpected(project.error());
+  return tl::unexpected(why);
+}
+
 }  // namespace
 
 Status run_editor(const EditorOptions& options) {
@@ -45,11 +53,12 @@ Status run_editor(const EditorOptions& options) {
     if (!loaded.problem.empty()) spdlog::warn("settings: {}", loaded.problem);
     settings = std::move(loaded.settings);
   }
-  VAMP_TRY(const std::vector<std::string> extensions, window::Window::instance_extensions());
+  const Result<std::vector<std::string>> extensions = window::Window::instance_extensions();
+  if (!extensions) return no_window(extensions.error(), options);
   gpu::Options how;
   how.device = options.device.empty() ? settings.device : options.device;
   how.validate = options.validate;
-  how.instance_extensions = extensions;
+  how.instance_extensions = *extensions;
   how.device_extensions = window::Window::device_extensions();
   VAMP_TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create(how));
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "editor/model/document.h"
 #include "editor/model/preset_library.h"
@@ -35,6 +36,7 @@ struct PanelContext {
   RenderSession* session = nullptr;
   RenderStatus status;
   ViewportTextures viewport;
+  std::string problem;         // why no document is open; empty while one is, or is being loaded
   ImVec2 viewport_size{0, 0};  // of its panel, in pixels; 0 before it was drawn
   Tool tool = Tool::pick;
   bool show_outlines = true;
@@ -54,9 +56,11 @@ struct PanelContext {
   std::function<ImTextureID(const PresetInfo&)> thumbnail;                    // null texture: none
   std::function<void(const std::filesystem::path&, int part)> assign_preset;  // loads it and puts it on a part
   std::function<void(int material)> save_preset_as;                           // opens the dialog for a name
-  std::function<void()> choose_environment;                                   // opens the file dialog
-  std::function<void(const std::string& action)> run;                         // an action of the registry by its id
-  std::function<void(const std::string& line)> report;                        // something failed: one line to show
+  std::function<std::vector<std::filesystem::path>()> recent_files;
+  std::function<void(const std::filesystem::path&)> open_file;  // a model or project
+  std::function<void()> choose_environment;                     // opens the file dialog
+  std::function<void(const std::string& action)> run;           // an action of the registry by its id
+  std::function<void(const std::string& line)> report;          // something failed: one line to show
 };
 
 }  // namespace vamp::ui

@@ -37,6 +37,7 @@ void ViewportPanel::draw(PanelContext& context) {
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   if (size.x < 1 || size.y < 1) return;
   ask_for_size(context, size);
+  if (!context.problem.empty()) return draw_no_document(context);
   draw_picture(context, low);
 
   ImGui::SetCursorScreenPos(low);

@@ -68,6 +68,23 @@ TEST_F(EveryPanel, DrawsALostDevice) {
   draw_all();
 }
 
+TEST_F(EveryPanel, SaysInThePicturesPlaceWhyNothingIsOpen) {
+  context_.problem = "shoe.glb: expected a glTF file, found nothing";
+  std::string opened;
+  context_.recent_files = [] { return std::vector<std::filesystem::path>{"/shoes/derby.vampproj"}; };
+  context_.open_file = [&](const std::filesystem::path& path) { opened = path.string(); };
+  draw_all();
+  for (float y = 120; y < 400 && opened.empty(); y += 6) {
+    move(60, y);
+    draw(panels_.viewport, 2);
+    press(true);
+    draw(panels_.viewport);
+    press(false);
+    draw(panels_.viewport);
+  }
+  EXPECT_EQ(opened, "/shoes/derby.vampproj");
+}
+
 TEST_F(EveryPanel, DrawsInTheDockAsItIsShipped) {
   Dock dock(default_layout);
   add_panels(dock, panels_, context_);
