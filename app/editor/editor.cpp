@@ -51,7 +51,7 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
   files_.replaced = [this](bool fresh) { take_document(fresh); };
   preset_dialog_.saved = [this](const SavedPreset& saved) { become_preset(saved); };
   snapshot_.busy = [this](bool running) {
-    if (session_) session_->pause(running || paused_);
+    if (session_) session_->pause(running || context_.paused);
   };
   connect_context();
   ui::add_panels(dock_, panels_, context_);
@@ -111,7 +111,7 @@ void Editor::start_renderer() {
     render_device_ = std::move(*device);
   }
   session_ = std::make_unique<RenderSession>(*render_device_, document_.project(), viewport_width_, viewport_height_);
-  session_->pause(paused_ || snapshot_.running());
+  session_->pause(context_.paused || snapshot_.running());
   context_.session = session_.get();
 }
 
@@ -222,7 +222,7 @@ double Editor::wake_after() const {
   if (options_.frames > 0 && told_first_picture_) return 0;
   double wait = ui::take_frame_request();
   // Something refines: often while it visibly changes, less often later, so that the machine renders instead.
-  const bool refining = session_ && !paused_ && !context_.status.finished && context_.status.error.empty();
+  const bool refining = session_ && !context_.paused && !context_.status.finished && context_.status.error.empty();
   if (refining) wait = std::min(wait, context_.status.samples < 16 ? 0.033 : 0.1);
   if (!documents_.empty() || !exports_.empty()) wait = std::min(wait, 0.1);
   // "Saved 12 s ago" goes on, signals are noticed.

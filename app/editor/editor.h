@@ -111,7 +111,6 @@ class Editor {
   std::unique_ptr<RenderSession> session_;
 
   int viewport_width_ = 0, viewport_height_ = 0;
-  bool paused_ = false;
   bool about_ = false;
   std::string title_, told_error_;
   bool told_first_picture_ = false;

@@ -42,7 +42,7 @@ void Editor::explain_the_mouse() {
            {"Frame the model", "double-click beside it"},
            {"Frame a part", "double-click it in the list"},
            {"Put a preset on a part", "drag it onto the picture"},
-           {"Open a model, project, preset or map", "drop its file on the window"},
+           {"Open a file", "drop it on the window"},
            {"Change a value", "drag slider or number"},
            {"Finely", "Shift+drag"},
            {"Type a value", "double-click, Ctrl+click, Tab"},

@@ -2,28 +2,14 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
-
 #include "app/editor/editor.h"
+#include "editor/panels/render_panel.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 
 namespace vamp {
 namespace {
-
-// "307,200"
-std::string grouped(uint64_t number) {
-  std::string digits = std::to_string(number);
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<size_t>(at), ",");
-  return digits;
-}
-
-std::string bytes_text(uint64_t bytes) {
-  if (bytes < 10'000) return grouped(bytes) + " bytes";
-  if (bytes < 1'000'000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) * 1e-3);
-  return fmt::format("{:.1f} MB", static_cast<double>(bytes) * 1e-6);
-}
 
 // A button of the tool bar that opens a list.
 bool begin_drop_down(const char* id, const std::string& label, const char* tooltip) {
@@ -80,8 +66,9 @@ void Editor::draw_tools_right() {
   std::string light = fmt::format("{} light{}", on, on == 1 ? "" : "s");
   if (project().environment.map) light += " + environment";
   if (begin_drop_down("lights", "Light: " + light, "Lights and environment")) {
-    for (const char* id : {"light.studio", "light.rect", "light.disk", "light.sphere", "light.point",
-                           "file.environment", "light.show_environment", "light.remove_environment"}) {
+    for (const char* id :
+         {"light.studio", "light.rect", "light.disk", "light.sphere", "light.point", "light.spot", "light.directional",
+          "file.environment", "light.show_environment", "light.remove_environment"}) {
       const ui::Action* action = actions_.find(id);
       if (ImGui::MenuItem(action->label.c_str(), nullptr, action->checked && action->checked(),
                           actions_.is_enabled(*action)))
@@ -95,15 +82,15 @@ std::vector<ui::StatusItem> Editor::status_left() const {
   if (!files_.ready()) return {{files_.loading() ? "Loading…" : "Nothing is open"}};
   const RenderStatus& status = context_.status;
   std::vector<ui::StatusItem> items;
-  if (paused_) items.push_back({"Paused", ui::theme().changed, "Render > Pause goes on"});
+  if (context_.paused) items.push_back({"Paused", ui::theme().changed, "Render > Pause goes on"});
   if (!status.restart_reason.empty()) {
     const uint64_t all = static_cast<uint64_t>(viewport_width_) * static_cast<uint64_t>(viewport_height_);
-    items.push_back({fmt::format("{} of {} pixels restarted: {}", grouped(status.restarted_pixels), grouped(all),
-                                 status.restart_reason),
+    items.push_back({fmt::format("{} of {} pixels restarted: {}", ui::count_text(status.restarted_pixels),
+                                 ui::count_text(all), status.restart_reason),
                      0, "Why the picture was begun again last"});
   }
   if (status.bytes_uploaded > 0)
-    items.push_back({bytes_text(status.bytes_uploaded) + " to the GPU", ui::theme().dim, "Sent by the last edit"});
+    items.push_back({ui::bytes_text(status.bytes_uploaded) + " to the GPU", ui::theme().dim, "Sent by the last edit"});
   return items;
 }
 
@@ -164,8 +151,8 @@ void Editor::draw_about() {
       "an edit layer over them, ray-traced as they are edited.");
   ui::gap(6);
   const RenderStatus& status = context_.status;
-  ImGui::TextWrapped("%s\nUser interface drawn by %s\n%.1f MB on the device", status.device.c_str(),
-                     window_.renderer_name(), static_cast<double>(status.gpu_bytes) * 1e-6);
+  ImGui::TextWrapped("%s\nUser interface drawn by %s\n%s on the device", status.device.c_str(), window_.renderer_name(),
+                     ui::bytes_text(status.gpu_bytes).c_str());
   ui::gap(6);
   if (ui::primary_button("Close", ui::px(96))) about_ = false;
   if (!about_) ImGui::CloseCurrentPopup();

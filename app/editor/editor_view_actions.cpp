@@ -1,37 +1,30 @@
 // The registry, continued: light, view and rendering.
 #include "app/editor/editor.h"
 #include "editor/model/edits_scene.h"
+#include "editor/panels/lights_panel.h"
 #include "editor/panels/view_commands.h"
 #include "engine/project/studio.h"
 
 namespace vamp {
-namespace {
-
-// A light of a type where the studio's key stands: it shines on the model wherever that is.
-Light new_light(const Scene& scene, LightType type) {
-  Light light = studio_lights(scene.bounds).front();
-  light.type = type;
-  light.name = std::string(name_of(type));
-  light.name[0] = static_cast<char>(light.name[0] - 'a' + 'A');
-  light.radius = 0.5f * std::max(light.size.x, light.size.y);
-  return light;
-}
-
-}  // namespace
-
 void Editor::add_light_actions() {
   const auto room = [this] { return files_.ready() && project().lights.size() < kMaxLights; };
   const auto add = [&](const char* id, const char* label, LightType type) {
     actions_.add({.id = id,
                   .label = label,
                   .menu = "Light",
-                  .run = [this, type] { document_.edit(add_light(project(), new_light(*project().scene, type))); },
+                  .run =
+                      [this, type] {
+                        document_.edit(add_light(project(), ui::new_light(project(), type)));
+                        dock_.show("lights");
+                      },
                   .enabled = room});
   };
   add("light.rect", "Add a rectangle", LightType::rect);
   add("light.disk", "Add a disk", LightType::disk);
   add("light.sphere", "Add a sphere", LightType::sphere);
   add("light.point", "Add a point", LightType::point);
+  add("light.spot", "Add a spot", LightType::spot);
+  add("light.directional", "Add a directional light", LightType::directional);
   actions_.add({.id = "light.studio",
                 .label = "Studio lights",
                 .menu = "Light",
@@ -178,11 +171,11 @@ void Editor::add_render_actions() {
                 .shortcut = "Ctrl+P",
                 .run =
                     [this] {
-                      paused_ = !paused_;
-                      session_->pause(paused_ || snapshot_.running());
+                      context_.paused = !context_.paused;
+                      session_->pause(context_.paused || snapshot_.running());
                     },
                 .enabled = running,
-                .checked = [this] { return paused_; }});
+                .checked = [this] { return context_.paused; }});
   actions_.add({.id = "render.restart",
                 .label = "Start the renderer anew",
                 .menu = "Render",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/text.h"
 #include "engine/project/limits.h"
 
 namespace vamp {
@@ -151,7 +152,7 @@ Edit set_texture_offset(const Project& project, int part, vec2 mm) {
 }
 
 Edit add_light(const Project&, Light light) {
-  const std::string name = fmt::format("Add {} light", name_of(light.type));
+  const std::string name = "Add " + (light.name.empty() ? std::string(name_of(light.type)) : lower(light.name));
   return add_to_lights(name, std::move(light));
 }
 

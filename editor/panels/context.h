@@ -39,6 +39,7 @@ struct PanelContext {
   std::string problem;         // why no document is open; empty while one is, or is being loaded
   ImVec2 viewport_size{0, 0};  // of its panel, in pixels; 0 before it was drawn
   Tool tool = Tool::pick;
+  bool paused = false;  // refinement rests
   bool show_outlines = true;
   bool show_cluster = false;  // the selected cluster is tinted in the picture
   Camera opened_camera;       // where the camera stood when the document was opened: what its rows go back to

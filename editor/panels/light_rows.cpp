@@ -57,12 +57,8 @@ class Rows {
   }
 
   void type() {
-    std::array<std::string, kLightTypeCount> texts;
     std::array<const char*, kLightTypeCount> names{};
-    for (size_t i = 0; i < texts.size(); ++i) {
-      texts[i] = name_of(static_cast<LightType>(i));
-      names[i] = texts[i].c_str();
-    }
+    for (size_t i = 0; i < names.size(); ++i) names[i] = light_word(static_cast<LightType>(i));
     int choice = static_cast<int>(light_.type);
     const EditOf<int> event =
         combo_row("Type", choice, names, -1, "Rectangles, disks and spheres give soft shadows, the others sharp ones.");
@@ -185,7 +181,7 @@ Light new_light(const Project& project, LightType type) {
   // The studio's key light, in another shape.
   const std::vector<Light> studio = studio_lights(subject_bounds(project));
   Light light = studio.empty() ? Light{} : studio.front();
-  light.name.clear();
+  light.name = light_word(type);
   light.type = type;
   light.on = true;
   light.roll_degrees = 0;

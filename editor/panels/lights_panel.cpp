@@ -20,8 +20,16 @@ constexpr std::array<LightType, kLightTypeCount> kTypes{LightType::rect,  LightT
 
 }  // namespace
 
+const char* light_word(LightType type) {
+  constexpr std::array<const char*, kLightTypeCount> kWords{"Point",     "Spot", "Directional",
+                                                            "Rectangle", "Disk", "Sphere"};
+  return kWords[static_cast<size_t>(type)];
+}
+
 void LightsPanel::draw(PanelContext& context) {
   const auto count = static_cast<int>(context.document.project()->lights.size());
+  if (count > count_ && count_ >= 0) light_ = count - 1;  // a new one, from here or from the menu
+  count_ = count;
   light_ = std::clamp(light_, count > 0 ? 0 : -1, count - 1);
   draw_list(context);
   draw_buttons(context);
@@ -60,7 +68,7 @@ void LightsPanel::draw_list(PanelContext& context) {
       const std::string name = light.name.empty() ? fmt::format("light {}", i + 1) : light.name;
       cell_text(name.c_str(), light.on ? 0 : theme().dim);
       ImGui::TableNextColumn();
-      const std::string power = fmt::format("{} · {:.4g} {}", name_of(light.type), light.power,
+      const std::string power = fmt::format("{} · {:.4g} {}", light_word(light.type), light.power,
                                             light.type == LightType::directional ? "W/unit²" : "W");
       cell_text(power.c_str(), light_ == i ? 0 : theme().dim);
       ImGui::PopID();
@@ -80,18 +88,13 @@ void LightsPanel::draw_buttons(PanelContext& context) {
   if (full) hover_text(fmt::format("There may be {} lights", kMaxLights).c_str());
   if (ImGui::BeginPopup("##add")) {
     for (const LightType type : kTypes) {
-      if (ImGui::MenuItem(std::string(name_of(type)).c_str()) &&
-          context.document.edit(add_light(*project, new_light(*project, type)))) {
-        light_ = static_cast<int>(context.document.project()->lights.size()) - 1;
-      }
+      if (ImGui::MenuItem(light_word(type))) context.document.edit(add_light(*project, new_light(*project, type)));
     }
     ImGui::EndPopup();
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(light_ < 0 || full);
-  if (ImGui::Button("Duplicate") && context.document.edit(duplicate_light(*project, light_))) {
-    light_ = static_cast<int>(context.document.project()->lights.size()) - 1;
-  }
+  if (ImGui::Button("Duplicate")) context.document.edit(duplicate_light(*project, light_));
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(light_ < 0);

@@ -11,8 +11,12 @@ class LightsPanel {
  private:
   void draw_list(PanelContext& context);
   void draw_buttons(PanelContext& context);
-  int light_ = 0;  // the selected one
+  int light_ = 0;   // the selected one
+  int count_ = -1;  // of lights, when they were drawn last
 };
+
+// "Rectangle".
+const char* light_word(LightType type);
 
 // A light of a type that suits the model: where a new one starts, and what its rows are reset to.
 Light new_light(const Project& project, LightType type);

@@ -35,18 +35,14 @@ std::string count_text(uint64_t count) {
 }
 
 void RenderPanel::draw(PanelContext& context) {
-  if (session_ != context.session) paused_ = false;  // a new renderer runs
-  session_ = context.session;
   gap(-6);
   section("Renderer");
   gap(4);
   draw_status(context);
   ImGui::BeginDisabled(context.session == nullptr);
-  if (tool_button(paused_ ? "Resume" : "Pause", paused_, true,
-                  "Holds the renderer; the document can still be edited")) {
-    paused_ = !paused_;
-    context.session->pause(paused_);
-  }
+  const char* const label = context.paused ? "Resume" : "Pause";
+  const bool pressed = tool_button(label, context.paused, true, "Holds the renderer; the document can still be edited");
+  if (pressed && context.run) context.run("render.pause");
   ImGui::EndDisabled();
   gap(2);
   draw_settings(context);

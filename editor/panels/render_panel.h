@@ -12,8 +12,6 @@ class RenderPanel {
   void draw_status(PanelContext& context) const;
   void draw_settings(PanelContext& context) const;
   void draw_display(PanelContext& context) const;
-  bool paused_ = false;
-  const RenderSession* session_ = nullptr;  // that was paused
 };
 
 // "1.21 GiB", "48 bytes".

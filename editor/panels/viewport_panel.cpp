@@ -11,8 +11,8 @@
 #include "editor/panels/subject.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/edit.h"
-#include "editor/widgets/theme.h"
 #include "editor/widgets/hover.h"
+#include "editor/widgets/theme.h"
 
 namespace vamp::ui {
 
@@ -53,9 +53,9 @@ void ViewportPanel::draw(PanelContext& context) {
   handle_keys(context, hovered);
   draw_chips(context, low, size, over);
   draw_menu(context);
+  popup_was_open_ = popup_is_open();
 }
 
-  popup_was_open_ = popup_is_open();
 void ViewportPanel::draw_menu(PanelContext& context) {
   if (!ImGui::BeginPopup("##part")) return;
   const ProjectPtr project = context.document.project();
