@@ -74,7 +74,9 @@ void BasisTable::refresh(const PanelContext& context) {
 bool BasisTable::is_folded(const PanelContext& context, size_t place) const {
   const int basis = order_[place];
   const bool small = energy_[at(basis)] < kSmall && fitted_energy_[at(basis)] < kSmall;
-  return (small || place >= kMost) && basis != context.selection.basis && !differs(edits_, {cluster_, basis});
+  // A fit calls what stands for shadows and masking, not for a layer of the material, "filler".
+  const bool filler = fit_->dictionary[at(basis)].name.starts_with("filler");
+  return (small || filler || place >= kMost) && basis != context.selection.basis && !differs(edits_, {cluster_, basis});
 }
 
 void BasisTable::draw(PanelContext& context) {
@@ -110,7 +112,7 @@ void BasisTable::draw(PanelContext& context) {
   if (all_ || shown_ < order_.size()) {
     const std::string more = all_ ? "Fold small ones" : fmt::format("{} more", order_.size() - shown_);
     if (ImGui::SmallButton(more.c_str())) all_ = !all_;
-    hover_text("Functions that carry little of the cluster's light");
+    hover_text("Functions that carry little of the cluster's light, and those that only fill shadows");
   }
   gap(2);
 }
