@@ -2,13 +2,11 @@
 
 #include "engine/core/check.h"
 #include "engine/material/reflectance.h"
+#include "engine/material/residual_follow.h"
 #include "engine/material/tables.h"
 
 namespace vamp {
 namespace {
-
-// Below this fitted reflectance a ratio says nothing, and the residual stays as it was fitted.
-constexpr double kMinReflectance = 1e-4;
 
 tables::BasisRow basis_row(const Basis& basis, const PackedLobe& packed, vec3 gain) {
   const vec3 factor = gain * packed.scale;
@@ -26,15 +24,6 @@ tables::BasisRow basis_row(const Basis& basis, const PackedLobe& packed, vec3 ga
           packed.tag};
 }
 
-vec3 residual_scale(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster, AlbedoCurves& curves) {
-  const dvec3 fitted = cluster_reflectance(spmm, {}, sums, cluster, curves);
-  const Shapes shapes = edits.residual_policy == ResidualPolicy::follow ? Shapes::all : Shapes::fitted_only;
-  const dvec3 edited = cluster_reflectance(spmm, edits, sums, cluster, curves, shapes);
-  vec3 scale;
-  for (int c = 0; c < 3; ++c) scale[c] = fitted[c] < kMinReflectance ? 1.f : static_cast<float>(edited[c] / fitted[c]);
-  return scale;
-}
-
 }  // namespace
 
 EditedTables edited_tables(const Spmm& spmm, const EditLayer& edits) { return edited_tables(spmm, edits, nullptr); }
@@ -50,7 +39,7 @@ EditedTables edited_tables(const Spmm& spmm, const EditLayer& edits, const FitSu
   out.clusters.assign(spmm.clusters.size(), {strength, strength, strength, 0});
 
   std::optional<FitSums> own;
-  AlbedoCurves curves;
+  LobeSizes sizes;
   for (auto row = edits.bases.begin(); row != edits.bases.end();) {
     const int cluster = row->first.cluster;
     CHECK(cluster >= 0 && static_cast<size_t>(cluster) < spmm.clusters.size());
@@ -68,7 +57,7 @@ EditedTables edited_tables(const Spmm& spmm, const EditLayer& edits, const FitSu
     }
     if (!changed || spmm.residual.records.empty() || edits.residual_policy == ResidualPolicy::keep) continue;
     if (sums == nullptr) sums = &own.emplace(fit_sums(spmm));
-    const vec3 scale = residual_scale(spmm, edits, *sums, cluster, curves) * strength;
+    const vec3 scale = vec3(residual_scale(spmm, edits, *sums, cluster, sizes)) * strength;
     out.clusters[static_cast<size_t>(cluster)] = {scale.x, scale.y, scale.z, 0};
   }
   return out;

@@ -4,6 +4,7 @@
 #include "engine/core/check.h"
 #include "engine/core/half.h"
 #include "engine/material/directions.h"
+#include "engine/material/frame.h"
 #include "engine/material/tables.h"
 
 namespace vamp {
@@ -12,23 +13,6 @@ namespace {
 double half(uint32_t bits) { return double{float_from_half(static_cast<uint16_t>(bits & 0xffffu))}; }
 
 dvec3 normalised(dvec3 v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-double dot(dvec3 a, dvec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-// Into the frame about n whose tangent is the shortest-arc rotation of x, turned by psi (Duff et al. 2017).
-struct Frame {
-  dvec3 t, b, n;
-  explicit Frame(const tables::BasisRow& row) {
-    const double x{row.normal_x}, y{row.normal_y}, z = std::sqrt(std::max(1 - x * x - y * y, 0.0));
-    const double a = -1 / (1 + z), c = x * y * a;
-    const dvec3 t0(1 + x * x * a, c, -x), b0(c, 1 + y * y * a, -y);
-    const double cos_psi{row.cos_psi}, sin_psi{row.sin_psi};
-    t = t0 * cos_psi + b0 * sin_psi;
-    b = b0 * cos_psi - t0 * sin_psi;
-    n = dvec3(x, y, z);
-  }
-  dvec3 local(dvec3 w) const { return {dot(t, w), dot(b, w), dot(n, w)}; }
-};
-
 dvec3 residual_value(const Spmm& spmm, const tables::Texel& texel, const DirectionTables& directions, int terms,
                      dvec3 wi, dvec3 wo) {
   const auto views = find_direction(directions, wo), lights = find_direction(directions, wi);
@@ -69,7 +53,7 @@ dvec3 evaluate(const Spmm& spmm, const EditedTables& edited, int residual_terms,
   for (size_t i = texel.first_entry; i < texel.first_entry + count; ++i) {
     const tables::Entry& entry = spmm.entries[i];
     const tables::BasisRow& row = edited.bases[cluster * spmm.dictionary.size() + (entry.basis_red & 0xffffu)];
-    const Frame frame(row);
+    const BasisFrame frame(double{row.normal_x}, double{row.normal_y}, double{row.cos_psi}, double{row.sin_psi});
     // The row's colour holds the lobe's constant factor already.
     const PackedLobe lobe{row.tag, {row.k0, row.k1, row.k2, row.k3}, 1.f};
     const double value = lobe_value(lobe, frame.local(wi), frame.local(wo));

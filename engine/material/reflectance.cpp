@@ -75,7 +75,9 @@ FitSums fit_sums(const Spmm& spmm) {
     sums.normal_albedo.push_back(normal_albedo(basis));
     sums.curves.push_back(albedo_curve(basis.lobe));
     sums.mean_reflectance.push_back(mean_reflectance(basis, sums.curves.back()));
+    sums.sizes.push_back(lobe_size(basis.lobe));
   }
+  sums.residual = residual_shares(spmm, sums.weights);
   return sums;
 }
 
@@ -91,7 +93,7 @@ vec3 effective_gain(const BasisEdit& edit, bool cluster_has_solo) {
 }
 
 dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster,
-                          AlbedoCurves& curves, Shapes shapes) {
+                          AlbedoCurves& curves) {
   const bool solo = any_solo(edits, cluster);
   const size_t bases = spmm.dictionary.size();
   dvec3 total(0);
@@ -99,7 +101,6 @@ dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSum
     const BasisKey key{cluster, static_cast<int>(j)};
     const BasisEdit edit = edits.edit_of(key);
     const bool reshaped = edit.lobe || edit.normal || edit.psi;
-    if (reshaped && shapes == Shapes::fitted_only) continue;
     double mean = sums.mean_reflectance[j];
     if (reshaped)
       mean = mean_reflectance(effective_basis(spmm, edits, key), edit.lobe ? curves.of(*edit.lobe) : sums.curves[j]);

@@ -1,12 +1,13 @@
 #pragma once
-// How much light a fitted material's functions send back: what the residual's scale, the contribution column and the
-// energy display are made of.
+// How much light a fitted material's functions send back: what the contribution column and the energy display are made
+// of.
 #include <array>
 #include <deque>
 #include <utility>
 #include <vector>
 
 #include "engine/material/edit_layer.h"
+#include "engine/material/residual_follow.h"
 
 namespace vamp {
 
@@ -32,6 +33,8 @@ struct FitSums {
   std::vector<double> normal_albedo;     // [basis]: seen along the texel's normal
   std::vector<AlbedoCurve> curves;       // [basis]
   std::vector<double> mean_reflectance;  // [basis]: see mean_reflectance() below
+  std::vector<double> sizes;             // [basis]: see lobe_size() in residual_follow.h
+  ResidualShares residual;               // see there
 };
 FitSums fit_sums(const Spmm& spmm);
 
@@ -42,11 +45,9 @@ double mean_reflectance(const Basis& basis, const AlbedoCurve& curve);
 // Albedo of a function for a viewer along the texel's normal.
 double normal_albedo(const Basis& basis);
 
-// Mean RGB albedo of the parametric part of a cluster, edits included: cosine-weighted over viewers. Of all functions,
-// or of those whose shape is as it was fitted.
-enum class Shapes { all, fitted_only };
+// Mean RGB albedo of the parametric part of a cluster, edits included: cosine-weighted over viewers.
 dvec3 cluster_reflectance(const Spmm& spmm, const EditLayer& edits, const FitSums& sums, int cluster,
-                          AlbedoCurves& curves, Shapes shapes = Shapes::all);
+                          AlbedoCurves& curves);
 
 // Whether a function of this cluster is soloed, which silences the cluster's others.
 bool any_solo(const EditLayer& edits, int cluster);

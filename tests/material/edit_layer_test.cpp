@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "engine/brdf/registry.h"
-#include "engine/material/reflectance.h"
+#include "engine/core/half.h"
 #include "engine/material/tables.h"
 #include "tests/material/small_spmm.h"
 
@@ -101,23 +101,86 @@ TEST(EditedTables, MuteSilencesOneSoloSilencesTheOthersOfTheCluster) {
     }
 }
 
-// The cluster's mean parametric reflectance, by the rule's own words.
-TEST(EditedTables, TheResidualFollowsTheParametricPart) {
-  const Spmm spmm = test::small_spmm();
-  const FitSums sums = fit_sums(spmm);
+// Two functions at every texel, matte and gloss, and a residual of the gloss alone: a tenth of it everywhere.
+Spmm gloss_misplaced() {
+  Spmm spmm = test::small_spmm();
+  spmm.dictionary = {{"matte", default_lobe(Model::lambert), {0, 0, 1}, 0},
+                     {"gloss", default_lobe(Model::cook_torrance), {0, 0, 1}, 0}};
+  spmm.entries.clear();
+  const uint32_t one = half_from_float(1);
+  for (tables::Texel& texel : spmm.texels) {
+    texel.first_entry = static_cast<uint32_t>(spmm.entries.size());
+    texel.cluster_count = (texel.cluster_count & 0xffu) | 2u << 8;
+    for (uint32_t basis = 0; basis < 2; ++basis) spmm.entries.push_back({basis | one << 16, one | one << 16});
+  }
+  const PackedLobe gloss = pack_lobe(spmm.dictionary[1].lobe);
+  const size_t n = spmm.residual.directions.size();
+  for (size_t i = 0; i < spmm.residual.records.size(); ++i) {
+    const vec3 wo = spmm.residual.directions[i / n % n], wi = spmm.residual.directions[i % n];
+    const uint32_t value = half_from_float(0.1f * lobe_value(gloss, wi, wo));
+    spmm.residual.records[i] = {{value | value << 16, value}};
+  }
+  return spmm;
+}
+
+float residual_after(const Spmm& spmm, int basis, const BasisEdit& edit) {
   EditLayer edits;
-  BasisEdit edit;
-  edit.gain = {3, 1, 0};
-  edits.set({1, 0}, edit);
-  AlbedoCurves curves;
-  const dvec3 fitted = cluster_reflectance(spmm, {}, sums, 1, curves),
-              edited = cluster_reflectance(spmm, edits, sums, 1, curves);
+  edits.set({1, basis}, edit);
+  return edited_tables(spmm, edits).clusters[1].residual_green;
+}
+
+TEST(EditedTables, TheResidualGoesWithTheFunctionThatItLiesUnder) {
+  const Spmm spmm = gloss_misplaced();
+  BasisEdit mute;
+  mute.mute = true;
+  EXPECT_LT(residual_after(spmm, 1, mute), 0.3f);
+  EXPECT_GT(residual_after(spmm, 0, mute), 0.7f);
+  EXPECT_NEAR(residual_after(spmm, 0, mute) + residual_after(spmm, 1, mute), 1, 1e-5);
+  BasisEdit brighter;
+  brighter.gain = vec3(3);
+  EXPECT_NEAR(residual_after(spmm, 1, brighter), 1 + 2 * residual_after(spmm, 0, mute), 1e-4);
+}
+
+TEST(EditedTables, TheResidualTakesAThirdOfADye) {
+  const Spmm spmm = gloss_misplaced();
+  EditLayer edits;
+  BasisEdit dyed;
+  dyed.gain = {0.5f, 2, 0.5f};
+  for (int j = 0; j < 2; ++j) edits.set({1, j}, dyed);
   const tables::ClusterRow row = edited_tables(spmm, edits).clusters[1];
-  EXPECT_NEAR(row.residual_red, edited.x / fitted.x, 1e-6);
-  EXPECT_NEAR(row.residual_green, 1, 1e-6);
-  EXPECT_NEAR(row.residual_blue, edited.z / fitted.z, 1e-6);
-  EXPECT_GT(row.residual_red, 1);
-  EXPECT_LT(row.residual_blue, 1);
+  EXPECT_NEAR(row.residual_red, 1 - 0.5 / 3, 1e-3);  // all channels have a third of the energy: grey is 1
+  EXPECT_NEAR(row.residual_green, 1 + 1.0 / 3, 1e-3);
+  EXPECT_EQ(row.residual_red, row.residual_blue);
+}
+
+TEST(EditedTables, TheResidualOfAWidenedHighlightFades) {
+  const Spmm spmm = gloss_misplaced();
+  const auto widened = [&](float factor) {
+    BasisEdit edit;
+    edit.lobe = spmm.dictionary[1].lobe;
+    edit.lobe->params[1] *= factor;
+    return residual_after(spmm, 1, edit);
+  };
+  EXPECT_NEAR(widened(1), 1, 1e-5);
+  EXPECT_LT(widened(1.5f), 0.9f);
+  EXPECT_LT(widened(2), widened(1.5f));
+}
+
+TEST(EditedTables, TheResidualGoesWithTheRelief) {
+  Spmm spmm = gloss_misplaced();
+  for (Basis& basis : spmm.dictionary) basis.normal = test::tilted(40, 70);
+  EditLayer edits;
+  const auto tilt = [&](double degrees) {
+    BasisEdit edit;
+    edit.normal = test::tilted(degrees, 70);
+    edits.set({1, 0}, edit);
+    edits.set({1, 1}, edit);
+    return edited_tables(spmm, edits).clusters[1].residual_green;
+  };
+  EXPECT_NEAR(tilt(40), 1, 1e-5);
+  const double half = std::atan(0.5 * std::tan(40 * 0.017453292519943295)) / 0.017453292519943295;
+  EXPECT_NEAR(tilt(half), 0.5, 0.06);  // a flat material's residual stays a little
+  EXPECT_LT(tilt(0), 0.15f);
 }
 
 TEST(EditedTables, TheResidualIsLinearInGains) {
