@@ -22,7 +22,7 @@ std::span<const FitMaterial> fit_materials();
 struct FitDataOptions {
   fs::path cache;
   int size = 64;     // texels
-  int samples = 36;  // paths of a texel and view; twice as many between
+  int samples = 25;  // paths of a texel and view; twice as many between
 };
 
 struct FitData {

@@ -15,7 +15,7 @@ namespace vamp {
 namespace {
 
 struct Options {
-  std::string cache = "build/bench-fit", size = "64", samples = "36", threads = "0", page;
+  std::string cache = "build/bench-fit", size = "64", samples = "25", threads = "0", page;
 };
 
 Status run(const Options& options, const CommonOptions& common) {

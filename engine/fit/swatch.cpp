@@ -13,7 +13,7 @@ namespace vamp::fit {
 namespace {
 
 constexpr double kPi = std::numbers::pi, kBallMm = 36, kGround = 0.22;
-constexpr int kGrid = 3;  // samples of a pixel, squared
+constexpr int kGrid = 2;  // samples of a pixel, squared
 
 struct Lamp {
   dvec3 direction;
@@ -68,7 +68,7 @@ class Ball {
       }
     }
     // Even light from all sides; more samples towards the rim, where a finish mirrors it.
-    const int even = 4 + static_cast<int>(40 * std::pow(1 - n.z, 3));
+    const int even = 24 + static_cast<int>(40 * std::pow(1 - n.z, 3));
     for (int i = 0; i < even; ++i) {
       const double z = draw(random), phi = 2 * kPi * draw(random), s = std::sqrt(1 - z * z);
       sum += value({s * std::cos(phi), s * std::sin(phi), z}) * (2 * kPi * 0.12 / even);
