@@ -17,51 +17,17 @@
 #include "engine/btf/ptm.h"
 #include "engine/image/save.h"
 #include "tests/btf/bonn_files.h"
-#include "tests/btf/small_btf.h"
+#include "tests/btf/tiny_files.h"
+#include "tests/hostile/mutated.h"
 #include "tests/material/temporary_folder.h"
 
 namespace vamp {
 namespace {
 
-using Content = std::vector<std::byte>;
+using test::Content;
 
-// VAMP_MUTATIONS asks for more than the default run has time for.
-int mutation_count() {
-  const char* wanted = std::getenv("VAMP_MUTATIONS");
-  return wanted == nullptr ? 300 : std::atoi(wanted);
-}
-
-// 2 x 2 texels, 2 views, 3 lights.
-BtfInfo tiny_info() {
-  BtfInfo info;
-  info.width = info.height = 2;
-  info.views = named_direction_set({direction_of({0, 0}), direction_of({0.9, 2})});
-  info.lights = named_direction_set({direction_of({0, 0}), direction_of({0.5, 1}), direction_of({1.1, 4})});
-  info.name = "tiny";
-  info.provenance = "a test";
-  info.mm_per_texel = 0.5f;
-  info.synthetic = true;
-  return info;
-}
-
-FactoredBtf tiny_factors(bool decorrelated, ColourModel model, int scalar_bytes) {
-  FactoredBtf btf;
-  btf.info = tiny_info();
-  btf.decorrelated = decorrelated;
-  btf.colour.model = model;
-  for (size_t set = 0; set < (decorrelated ? 3u : 1u); ++set) {
-    Factors f;
-    f.rows = decorrelated ? 6 : 18;
-    f.columns = 4;
-    f.components = 2;
-    f.scalar_bytes = scalar_bytes;
-    f.s = {2, 1};
-    for (size_t i = 0; i < size_t{f.rows} * 2; ++i) f.u.push_back(0.25f + static_cast<float>(i % 5) / 8);
-    for (size_t i = 0; i < size_t{f.columns} * 2; ++i) f.sxv.push_back(0.5f + static_cast<float>(i % 3) / 4);
-    btf.factors.push_back(std::move(f));
-  }
-  return btf;
-}
+// tests/hostile has the patience for more.
+constexpr int kMutations = 300;
 
 // One way of having a BTF on the disk, and the file of it that is damaged.
 struct Case {
@@ -72,51 +38,15 @@ struct Case {
   bool has_checksum;  // of all that is not a value
 };
 
-void write_bdi(const fs::path& folder) {
-  Btf btf = Btf::create(folder / "a.btf", tiny_info()).value();
-  for (size_t t = 0; t < 4; ++t)
-    for (Half& value : btf.writable_texel(t)) value = half_from_float(0.25f * static_cast<float>(t + 1));
-}
-void write_dfmf(const fs::path& folder) {
-  ASSERT_TRUE(write_factored_btf(folder / "a.btf", tiny_factors(true, ColourModel::log_y_uv_by_y, 2)));
-}
-void write_fmf(const fs::path& folder) {
-  ASSERT_TRUE(write_factored_btf(folder / "a.btf", tiny_factors(false, ColourModel::log_rgb, 4)));
-}
-void write_pictures(const fs::path& folder) {
-  Image picture(4, 4, {"R", "G", "B"});
-  std::ranges::fill(picture.pixels, 0.5f);
-  const BtfInfo info = tiny_info();
-  for (const dvec3& view : info.views.directions)
-    for (const dvec3& light : info.lights.directions)
-      ASSERT_TRUE(save_png(folder / (image_name(light, view) + ".png"), picture));
-}
-void write_lights(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (int i = 0; i < 3; ++i) names.push_back("p" + std::to_string(i) + ".png");
-  for (const std::string& name : names) ASSERT_TRUE(save_png(folder / name, Image(4, 4, {"R", "G", "B"})));
-  ASSERT_TRUE(write_light_list(folder / "a.lp", names, tiny_info().lights));
-}
-void write_map(const fs::path& folder) {
-  Ptm ptm;
-  ptm.width = ptm.height = 3;
-  ptm.scale.fill(1.5f);
-  ptm.bias.fill(100);
-  ptm.coefficients.assign(54, 140);
-  ptm.colours.assign(27, 200);
-  ASSERT_TRUE(write_ptm(folder / "a.ptm", ptm));
-}
-
 const Case kCases[] = {
-    {"Bdi", write_bdi, "a.btf", "a.btf", true},
-    {"Dfmf", write_dfmf, "a.btf", "a.btf", true},
-    {"Fmf", write_fmf, "a.btf", "a.btf", true},
-    {"ForeignBdi", [](const fs::path& folder) { test::write_foreign_bdi(folder / "a.btf"); }, "a.btf", "a.btf", false},
-    {"ForeignDfmf", [](const fs::path& folder) { test::write_foreign_dfmf(folder / "a.btf"); }, "a.btf", "a.btf",
-     false},
-    {"Pictures", write_pictures, "tl000_pl000_tv000_pv000.png", ".", false},
-    {"Lights", write_lights, "a.lp", "a.lp", false},
-    {"Map", write_map, "a.ptm", "a.ptm", false},
+    {"Bdi", test::write_tiny_bdi, "a.btf", "a.btf", true},
+    {"Dfmf", test::write_tiny_dfmf, "a.btf", "a.btf", true},
+    {"Fmf", test::write_tiny_fmf, "a.btf", "a.btf", true},
+    {"ForeignBdi", test::write_tiny_foreign_bdi, "a.btf", "a.btf", false},
+    {"ForeignDfmf", test::write_tiny_foreign_dfmf, "a.btf", "a.btf", false},
+    {"Pictures", test::write_tiny_pictures, "tl000_pl000_tv000_pv000.png", ".", false},
+    {"Lights", test::write_tiny_lights, "a.lp", "a.lp", false},
+    {"Map", test::write_tiny_map, "a.ptm", "a.ptm", false},
 };
 
 class HostileBtf : public ::testing::TestWithParam<Case> {
@@ -128,44 +58,6 @@ class HostileBtf : public ::testing::TestWithParam<Case> {
   }
   fs::path damaged_path() const { return folder_ / GetParam().damaged; }
   fs::path loaded_path() const { return folder_ / GetParam().loaded; }
-
-  // A few bytes changed, cut out, doubled, or numbers put where sizes may stand.
-  Content damaged(std::mt19937& random) const {
-    constexpr uint32_t kNumbers[] = {0,          1,          2,          255,        65535,     65536,
-                                     0x7fffffff, 0x80000000, 0xffffffff, 0x7f800000, 0x7fc00000};
-    Content result = content_;
-    const size_t rounds = 1 + random() % 3;
-    for (size_t i = 0; i < rounds && result.size() > 8; ++i) {
-      const size_t at = random() % (result.size() - 4);
-      const size_t length = 1 + random() % 16;
-      const auto here = result.begin() + static_cast<std::ptrdiff_t>(at);
-      const auto end = result.begin() + static_cast<std::ptrdiff_t>(std::min(at + length, result.size()));
-      switch (random() % 6) {
-        case 0:
-          result[at] ^= static_cast<std::byte>(1u << random() % 8);
-          break;
-        case 1:
-          result[at] = static_cast<std::byte>(random());
-          break;
-        case 2: {
-          const uint32_t number = kNumbers[random() % std::size(kNumbers)];
-          std::memcpy(&*here, &number, sizeof(number));
-          break;
-        }
-        case 3:
-          result.erase(here, end);
-          break;
-        case 4: {
-          const Content copy(here, end);
-          result.insert(here, copy.begin(), copy.end());
-          break;
-        }
-        default:
-          result.resize(at);
-      }
-    }
-    return result;
-  }
 
   // Not atomically: thousands of files need not reach the disk.
   void write(std::span<const std::byte> bytes) const {
@@ -204,9 +96,8 @@ TEST_P(HostileBtf, DamageEndsInAnErrorOrInASoundBtf) {
   std::mt19937 random(17);
   int refused = 0;
   double slowest = 0;
-  const int count = mutation_count();
-  for (int i = 0; i < count; ++i) {
-    const Content bytes = damaged(random);
+  for (int i = 0; i < kMutations; ++i) {
+    const Content bytes = test::mutated(content_, random);
     if (bytes == content_) continue;
     write(bytes);
     const auto started = std::chrono::steady_clock::now();
@@ -240,7 +131,7 @@ TEST_P(HostileBtf, DamageEndsInAnErrorOrInASoundBtf) {
       for (const dvec3& w : set->directions) EXPECT_TRUE(std::abs(glm::length(w) - 1) < 1e-6 && w.z >= 0);
   }
   RecordProperty("refused", refused);
-  std::printf("%s: %d of %d refused, the slowest took %.3f s\n", GetParam().name, refused, count, slowest);
+  std::printf("%s: %d of %d refused, the slowest took %.3f s\n", GetParam().name, refused, kMutations, slowest);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, HostileBtf, ::testing::ValuesIn(kCases),
@@ -249,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, HostileBtf, ::testing::ValuesIn(kCases),
 // Headers that promise much: nothing may be allocated before the file is known to hold it.
 TEST(HostileBtf, NothingIsAllocatedOnTheFilesWord) {
   const test::TemporaryFolder folder;
-  write_dfmf(folder.path());
+  test::write_tiny_dfmf(folder.path());
   const Content sound = read_file(folder / "a.btf", 1 << 20).value();
   rlimit old{};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &old), 0);
