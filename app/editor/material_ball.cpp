@@ -17,7 +17,7 @@
 namespace vamp {
 namespace {
 
-// As the shipped presets are photographed (tools/presets/swatch.cpp), so that a library looks like one.
+// As the shipped presets are photographed (engine/fit/swatch.cpp), so that a library looks like one.
 constexpr int kSide = 256;
 constexpr uint32_t kSamples = 48;
 constexpr float kRadius = 0.015f;  // m: large enough for a tile of leather, small enough to show its grain
@@ -115,6 +115,7 @@ Result<std::vector<std::byte>> render_material_ball(gpu::Device& window_device, 
                     .fov_degrees = glm::degrees(2 * std::atan(kFrame / kAway))};
   project.lights = ball_lights();
   project.ambient = vec3(kAmbient);
+  project.background = vec3(0);
   VAMP_TRY(const std::unique_ptr<gpu::Device> device, background_device(window_device));
   const StillOptions options{.width = kSide, .height = kSide, .samples = kSamples};
   VAMP_TRY(const Still still,

@@ -48,6 +48,7 @@ void draw_no_document(PanelContext& context) {
     ImGui::PopStyleColor();
     gap(10);
     if (primary_button("Open…", px(110)) && context.run) context.run("file.open");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere(-1);
     hover_text("A model (.glb, .gltf) or a project (.vampproj)");
     ImGui::SameLine();
     if (ImGui::Button("The shipped shoe", ImVec2(0, px(28))) && context.run) context.run("file.new");

@@ -37,6 +37,28 @@ TEST_F(Dropped, APresetLiesOnThePartUnderTheMouse) {
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
 }
 
+TEST_F(Dropped, APresetGivesWhatWasSavedAndNotWhatWasMadeOfIt) {
+  EditorRun editor(display(), home(), {document().string()});
+  ASSERT_TRUE(editor.shows_picture()) << editor.log();
+  edit_the_material(editor);
+  editor.key("ctrl+s");
+  ASSERT_TRUE(wait_until([&] { return edited_rows(document()) > 0; })) << editor.log();
+  editor.move(569, 420);
+  drop(home() / "small.vamp");
+  EXPECT_TRUE(wait_until([&] {
+    editor.key("ctrl+s");
+    return edited_rows(document()) == 0;
+  })) << editor.log();
+  // "Use the edited one", at the lower right.
+  editor.click(920, 740);
+  EXPECT_TRUE(wait_until([&] {
+    editor.key("ctrl+s");
+    return edited_rows(document()) > 0;
+  })) << editor.log();
+  editor.key("ctrl+q");
+  EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();
+}
+
 TEST_F(Dropped, AnEnvironmentMapLightsTheScene) {
   Image sky(8, 4, {"R", "G", "B"});
   std::fill(sky.pixels.begin(), sky.pixels.end(), 0.5f);

@@ -251,7 +251,8 @@ TEST_F(Window, OffersWaysOnWhenAFileIsDamaged) {
   EXPECT_TRUE(editor.running());
   // "The shipped shoe" stands beside "Open…".
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  editor.key("Tab Right space");
+  editor.key("Right");
+  editor.key("space");
   EXPECT_TRUE(editor.shows_picture()) << editor.log();
   editor.key("ctrl+q");
   EXPECT_EQ(editor.wait_for_end(), 0) << editor.log();

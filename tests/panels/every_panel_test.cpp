@@ -85,6 +85,19 @@ TEST_F(EveryPanel, SaysInThePicturesPlaceWhyNothingIsOpen) {
   EXPECT_EQ(opened, "/shoes/derby.vampproj");
 }
 
+TEST_F(EveryPanel, TheWaysOnAreThereForTheKeyboardToo) {
+  context_.problem = "shoe.glb: expected a glTF file, found nothing";
+  std::string asked;
+  context_.run = [&](const std::string& action) { asked = action; };
+  draw(panels_.viewport, 5);
+  EXPECT_EQ(asked, "");
+  key(' ', true);
+  draw(panels_.viewport, 2);
+  key(' ', false);
+  draw(panels_.viewport, 2);
+  EXPECT_EQ(asked, "file.open");
+}
+
 TEST_F(EveryPanel, DrawsInTheDockAsItIsShipped) {
   Dock dock(default_layout);
   add_panels(dock, panels_, context_);
