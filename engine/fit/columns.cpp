@@ -57,7 +57,7 @@ inline void rows_of(uint32_t tag, const PackedLobe& lobe, const Frame& frame, co
   const size_t count = lights.x.size();
   const float *x = lights.x.data(), *y = lights.y.data(), *z = lights.z.data();
   for (const vec3& view : pairs.views) {
-    const auto seen = shader.lobe_view(tag, frame.local(view));
+    const auto seen = shader.lobe_view(tag, k, frame.local(view));
     for (size_t l = 0; l < count; ++l)
       out[l] = lobe.scale * shader.lobe_eval_view(tag, k, vec3(x[l], y[l], z[l]), seen);
     out += count;

@@ -36,15 +36,28 @@ struct LobeView {
   vec3 wo;
   real oz, inv_oz;
   real window;
+  vec3 other;             // what the light is measured from: the viewer; of Lafortune's lobe the viewer by its signs
+  vec3 axis, rest;        // of Lafortune's lobe, as in lafortune_distance(): its sum is dot(axis, wi), its distance
+  real half_top;          // half_top |wi - other|^2 + dot(rest, wi)
 };
 
-LobeView lobe_view(uint tag, vec3 wo) {
+LobeView lobe_view(uint tag, vec4 k, vec3 wo) {
   LobeView v;
   v.wo = wo;
   v.oz = max(wo.z, REAL(1e-6));
   v.inv_oz = REAL(1.0) / v.oz;
   bool uncut = (tag & (LOBE_TAG_DIFFUSE | LOBE_TAG_FULL)) != 0u;
   v.window = SELECT(uncut, REAL(1.0), clamp(wo.z * REAL(33.3333333), REAL(0.0), REAL(1.0)));
+  v.other = wo;
+  if (LOBE_NEEDS(LOBE_LAFORTUNE)) {
+    bool lafortune = (tag & LOBE_TAG_LAFORTUNE) != 0u;
+    real top = lafortune_max(k.x, k.y, k.z);
+    v.half_top = REAL(0.5) * top;
+    v.axis = vec3(k.x * wo.x, k.y * wo.y, k.z * wo.z);
+    v.other = vec3(SELECT(lafortune && k.x < REAL(0.0), -wo.x, wo.x), SELECT(lafortune && k.y < REAL(0.0), -wo.y, wo.y),
+                   SELECT(lafortune && k.z < REAL(0.0), -wo.z, wo.z));
+    v.rest = vec3((top - abs(k.x)) * v.other.x, (top - abs(k.y)) * v.other.y, (top - abs(k.z)) * v.other.z);
+  }
   return v;
 }
 
@@ -64,6 +77,8 @@ real lobe_eval_view(uint tag, vec4 k, vec3 wi, LobeView v) {
     real z2 = sz * sz;
     real p2 = x2 + y2;
     real s2 = max(p2 + z2, REAL(1e-8));
+    vec3 d = vec3(wi.x - v.other.x, wi.y - v.other.y, wi.z - v.other.z);
+    real d2 = d.x * d.x + d.y * d.y + d.z * d.z;
 
     // The exponent q in powers of two.
     real numerator = k.x * x2 + k.y * y2;
@@ -74,9 +89,9 @@ real lobe_eval_view(uint tag, vec4 k, vec3 wi, LobeView v) {
       real b = z2;
       denominator = SELECT(power, max(p2, REAL(1e-30)), z2);
       if (LOBE_NEEDS(LOBE_LAFORTUNE)) {
-        real x = k.x * (wi.x * v.wo.x) + k.y * (wi.y * v.wo.y) + k.z * (wi.z * v.wo.z);
-        real top = lafortune_max(k.x, k.y, k.z);
-        a = SELECT(lafortune, lafortune_distance(top, k.x, k.y, k.z, wi, v.wo), p2);
+        real x = v.axis.x * wi.x + v.axis.y * wi.y + v.axis.z * wi.z;
+        real distance = v.half_top * d2 + (v.rest.x * wi.x + v.rest.y * wi.y + v.rest.z * wi.z);
+        a = SELECT(lafortune, distance, p2);
         b = SELECT(lafortune, max(x, REAL(1e-30)), z2);
         numerator = SELECT(lafortune, SELECT(x > REAL(0.0), k.w, REAL(1e9)), numerator);
         denominator = SELECT(lafortune, REAL(1.0), denominator);
@@ -108,7 +123,7 @@ real lobe_eval_view(uint tag, vec4 k, vec3 wi, LobeView v) {
       if (LOBE_NEEDS(LOBE_ASHIKHMIN_SHIRLEY)) {
         value = SELECT((tag & LOBE_TAG_MAXCOS) != 0u, e * (ratio / oh), value);
       }
-      real f = brdf_schlick(k.z, brdf_cosine_loss(wi, v.wo, oh));
+      real f = brdf_schlick(k.z, REAL(0.25) * d2 / (REAL(1.0) + oh));  // brdf_cosine_loss()
       if (LOBE_NEEDS(LOBE_FRESNEL_EXACT)) {
         f = SELECT((tag & LOBE_TAG_EXACT) != 0u, brdf_fresnel_exact(k.w, min(oh, REAL(1.0))), f);
       }
@@ -137,6 +152,6 @@ real lobe_eval_view(uint tag, vec4 k, vec3 wi, LobeView v) {
   return result;
 }
 
-real lobe_eval(uint tag, vec4 k, vec3 wi, vec3 wo) { return lobe_eval_view(tag, k, wi, lobe_view(tag, wo)); }
+real lobe_eval(uint tag, vec4 k, vec3 wi, vec3 wo) { return lobe_eval_view(tag, k, wi, lobe_view(tag, k, wo)); }
 
 #endif

@@ -95,7 +95,7 @@ void spmm_eval(Part part, vec2 uv, vec2 tap, vec3 wo, vec3 wi[DIRECTION_COUNT], 
       vec3 x = frame.z * t + frame.w * b;
       vec3 y = frame.z * b - frame.w * t;
       uint tag = floatBitsToUint(scale.w);
-      LobeView view = lobe_view(tag, vec3(dot(x, wo), dot(y, wo), dot(n, wo)));
+      LobeView view = lobe_view(tag, k, vec3(dot(x, wo), dot(y, wo), dot(n, wo)));
       for (uint d = 0u; d < DIRECTION_COUNT; ++d) {
         vec3 i = vec3(dot(x, wi[d]), dot(y, wi[d]), dot(n, wi[d]));
         result[d] += weight * lobe_eval_view(tag, k, i, view);
