@@ -102,7 +102,7 @@ const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
   if (found != pipelines_.end()) return found->second;
   gpu::PipelineDesc desc;
   desc.name = name_of(pass);
-  desc.spirv = words_of(pass);
+  desc.spirv = pass == Pass::shade && !shade_.empty() ? shade_ : words_of(pass);
   desc.bindings = kernel_bindings();
   desc.push_bytes = sizeof(frame::TilePush);
   desc.constants = {{SPEC_SAMPLES, key.samples},
@@ -118,7 +118,8 @@ const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
                     {SPEC_STORAGE_FETCH, key.storage_fetch},
                     {SPEC_PIXEL_CENTRES, key.pixel_centres},
                     {SPEC_NEW_HIT, key.new_hit},
-                    {SPEC_LIST, key.list}};
+                    {SPEC_LIST, key.list},
+                    {SPEC_HIGHLIGHT, key.highlight}};
   return pipelines_.emplace(std::pair(pass, key), gpu::ComputePipeline(*device_, desc)).first->second;
 }
 

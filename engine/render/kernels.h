@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct KernelKey {
   bool pixel_centres = false;
   bool new_hit = true;
   bool list = false;
+  bool highlight = false;
   auto operator<=>(const KernelKey&) const = default;
 
   uint32_t ray_count() const { return light_count + (ambient ? 1u : 0u) + (environment ? 1u : 0u); }
@@ -40,13 +42,15 @@ const std::vector<gpu::Binding>& kernel_bindings();
 
 class Kernels {
  public:
-  explicit Kernels(gpu::Device& device) : device_(&device) {}
+  // `shade`: another build of passes/shade.comp, for measurements; empty: the program's.
+  explicit Kernels(gpu::Device& device, std::span<const uint32_t> shade = {}) : device_(&device), shade_(shade) {}
 
   // Constants that a pass does not read are ignored, so that it is not made twice. Throws MachineError.
   const gpu::ComputePipeline& get(Pass pass, KernelKey key);
 
  private:
   gpu::Device* device_;
+  std::span<const uint32_t> shade_;
   std::map<std::pair<Pass, KernelKey>, gpu::ComputePipeline> pipelines_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "engine/core/check.h"
+#include "engine/material/highlight.h"
 
 namespace vamp {
 namespace {
@@ -107,6 +108,16 @@ uint32_t seen_bits(const Project& project, size_t material) {
   return bits;
 }
 
+namespace {
+
+uint32_t highlight_code(float width) {
+  if (width == 0) return 0;
+  const float code = std::round(-std::log2(width) * static_cast<float>(PART_HIGHLIGHT_STEPS));
+  return static_cast<uint32_t>(std::clamp(code, 1.f, 255.f));
+}
+
+}  // namespace
+
 std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables& scene,
                                       const MaterialTables& materials) {
   std::vector<frame::PartRow> rows;
@@ -129,6 +140,8 @@ std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables&
     row.direction_map = place.map;
     row.last_ring_cos = place.last_ring_cos;
     row.flags = first_seen_bit(static_cast<size_t>(part.material)) << PART_SEEN_SHIFT;
+    row.flags |= highlight_code(highlight_width(fit, materials.sums[static_cast<size_t>(part.material)]))
+                 << PART_HIGHLIGHT_SHIFT;
     if (has_residual(material)) row.flags |= residual_terms(material) << PART_TERMS_SHIFT;
 
     // Texture coordinates in periods. A measured material has a size in mm; the model's own follows its texture.

@@ -41,7 +41,7 @@ uint32_t groups(uint32_t side, uint32_t stride = 1) { return (side + 8 * stride 
 
 }  // namespace
 
-Renderer::Renderer(gpu::Device& device) : device_(&device), kernels_(device) {
+Renderer::Renderer(gpu::Device& device, std::span<const uint32_t> shade) : device_(&device), kernels_(device, shade) {
   // Measured: texel buffers are nearly twice as fast on lavapipe before Mesa 25, storage buffers elsewhere.
   key_.storage_fetch = !(device.info().is_lavapipe && device.info().driver_major < 25);
   gpu_.params = gpu::TypedBuffer<frame::FrameParams>(device, "frame", 1);

@@ -34,7 +34,8 @@ struct Change {
 
 class Renderer {
  public:
-  explicit Renderer(gpu::Device& device);
+  // `shade`: see Kernels.
+  explicit Renderer(gpu::Device& device, std::span<const uint32_t> shade = {});
 
   // Memory for hits and visibility by which samples can be shaded again, in bytes. A pixel's four samples take 8 of
   // them, 16 with mirrors, half as much again with more than 8 shadow rays. Samples that do not fit are traced again.

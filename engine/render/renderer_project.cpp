@@ -30,6 +30,8 @@ std::vector<bool> visible_parts(const Project& project) {
   return visible;
 }
 
+uint32_t highlight_code(const frame::PartRow& row) { return row.flags >> PART_HIGHLIGHT_SHIFT; }
+
 bool any_lit(const Project& project) { return project.ambient != vec3(0); }
 
 }  // namespace
@@ -124,8 +126,11 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   }
   const std::vector<frame::PartRow> rows = vamp::part_rows(now, *scene_tables_, material_tables_);
   if (part_rows_.size() == rows.size())
-    for (size_t i = 0; i < rows.size(); ++i)
+    for (size_t i = 0; i < rows.size(); ++i) {
       if (rows[i].mirror_f0 != part_rows_[i].mirror_f0) restart("mirror of a part");
+      // Another material may draw its rays another way.
+      if (highlight_code(rows[i]) != highlight_code(part_rows_[i])) restart("highlight of a part");
+    }
   if (new_tables || rows.size() != part_rows_.size()) {
     VAMP_TRY(const uint64_t bytes, gpu_.send_parts(*device_, rows));
     change.bytes += bytes;
@@ -168,6 +173,8 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   key.ambient = any_lit(now) || (key.light_count == 0 && !key.environment);
   key.mirror = std::any_of(now.parts.begin(), now.parts.end(),
                            [](const PartState& part) { return part.visible && part.mirror_f0 > 0; });
+  key.highlight = false;
+  for (size_t i = 0; i < rows.size(); ++i) key.highlight |= now.parts[i].visible && highlight_code(rows[i]) != 0;
   key.alpha_mask = !scene_tables_->alpha.empty();
   key.residual = residual_in_view(now);
   key.lobe_models = lobe_models_in_view(now);

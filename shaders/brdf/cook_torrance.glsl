@@ -37,9 +37,7 @@ real cook_torrance_pdf(real m, vec3 wi, vec3 wo) { return ward_pdf(m, m, wi, wo)
 
 bool cook_torrance_sample(int variant, real ks, real m, real f0_or_ior, vec3 wo, vec2 u, OUT(vec3) wi, OUT(real) pdf,
                           OUT(real) weight) {
-  real r = m * sqrt(brdf_minus_log1m(u.y));
-  vec2 c = brdf_unit_circle(u.x);
-  wi = brdf_mirror(wo, r * c.x, r * c.y);
+  wi = ward_direction(m, m, wo, u);
   pdf = cook_torrance_pdf(m, wi, wo);
   BrdfHalf h = brdf_half(wi, wo);
   // G oh / (oz hz), at most 2 because of the groove

@@ -30,12 +30,17 @@ real ward_pdf(real alpha_x, real alpha_y, vec3 wi, vec3 wo) {
   return e * secant * secant * secant / (REAL(4.0) * BRDF_PI * alpha_x * alpha_y * h.oh);
 }
 
-// Slopes are Gaussian: no tangents, no quadrants.
-bool ward_sample(int variant, real ks, real alpha_x, real alpha_y, vec3 wo, vec2 u, OUT(vec3) wi, OUT(real) pdf,
-                 OUT(real) weight) {
+// Slopes are Gaussian: no tangents, no quadrants. The direction that ward_pdf() is the density of; it may lie below the
+// horizon.
+vec3 ward_direction(real alpha_x, real alpha_y, vec3 wo, vec2 u) {
   real r = sqrt(brdf_minus_log1m(u.y));
   vec2 c = brdf_unit_circle(u.x);
-  wi = brdf_mirror(wo, alpha_x * r * c.x, alpha_y * r * c.y);
+  return brdf_mirror(wo, alpha_x * r * c.x, alpha_y * r * c.y);
+}
+
+bool ward_sample(int variant, real ks, real alpha_x, real alpha_y, vec3 wo, vec2 u, OUT(vec3) wi, OUT(real) pdf,
+                 OUT(real) weight) {
+  wi = ward_direction(alpha_x, alpha_y, wo, u);
   pdf = ward_pdf(alpha_x, alpha_y, wi, wo);
   BrdfHalf h = brdf_half(wi, wo);
   real hz = h.z / (REAL(2.0) * h.oh);

@@ -21,6 +21,7 @@ layout(constant_id = SPEC_STORAGE_FETCH) const bool STORAGE_FETCH = false;
 layout(constant_id = SPEC_PIXEL_CENTRES) const bool PIXEL_CENTRES = false;
 layout(constant_id = SPEC_NEW_HIT) const bool NEW_HIT = true;
 layout(constant_id = SPEC_LIST) const bool LIST = false;
+layout(constant_id = SPEC_HIGHLIGHT) const bool HIGHLIGHT = false;
 
 layout(local_size_x = GROUP_SIZE) in;
 

@@ -76,6 +76,15 @@ LightSample sample_light(uint which, vec3 p, vec2 u) {
   return s;
 }
 
+// 2 pi times the density of sample_ambient(), its lobe counted with a factor.
+float ambient_density(vec3 normal, vec3 view, vec3 direction, float lobe) {
+  vec3 mirrored = 2.0 * dot(normal, view) * normal - view;
+  float c2 = max(dot(mirrored, direction), 0.0);
+  c2 *= c2;
+  float c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
+  return 0.8 * max(dot(normal, direction), 0.0) + 0.2 + 13.2 * lobe * (c16 * c16);
+}
+
 // Constant ambient radiance: two directions in five cosine-weighted, one uniform, because ReflectedCos / cos is unbounded
 // for tilted frames, and two in a lobe cos^32 about the mirror direction, because highlights stand there at grazing view
 // (without it: bright dots along silhouettes). The factor is 1 / the mixture's pdf, whichever of them drew.
@@ -90,10 +99,7 @@ LightSample sample_ambient(vec3 normal, vec3 view, vec2 u, float choice) {
   LightSample s;
   s.direction = normalize((t * cos(phi) + b * sin(phi)) * sqrt(max(1.0 - z * z, 0.0)) + axis * z);
   s.distance = params.ao_radius;
-  float c2 = max(dot(mirrored, s.direction), 0.0);
-  c2 *= c2;
-  float c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
-  s.factor = 2.0 * PI / (0.8 * max(dot(normal, s.direction), 0.0) + 0.2 + 13.2 * c16 * c16);
+  s.factor = 2.0 * PI / ambient_density(normal, view, s.direction, 1.0);
   return s;
 }
 
@@ -142,6 +148,8 @@ LightSample sample_environment(vec2 cell, vec2 inside, out vec3 radiance) {
   return s;
 }
 
+#include "shaders/lib/mixture.glsl"
+
 // Rays from below the face or the shading normal carry nothing: the rule at the terminator is that a light counts when it
 // stands above both.
 LightSample above_surface(LightSample s, SurfacePoint point) {
@@ -157,16 +165,31 @@ void draw_shadow_rays(SurfacePoint point, uint seed, uint sample_index, uint ver
                       out vec3 environment) {
   uint base = vertex * PAIR_MIRROR;
   environment = vec3(0.0);
-  for (uint i = 0u; i < LIGHT_COUNT; ++i)
-    rays[i] = above_surface(sample_light(i, point.position, random_pair(seed, sample_index, base + PAIR_LIGHT + i)), point);
-  if (AMBIENT)
-    rays[LIGHT_COUNT] = above_surface(
-        sample_ambient(point.normal, point.view, random_pair(seed, sample_index, base + PAIR_AMBIENT),
-                       random_pair(seed, sample_index, base + PAIR_AMBIENT_CHOICE).x), point);
-  if (ENVIRONMENT)
-    rays[RAY_COUNT - 1u] = above_surface(
-        sample_environment(random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_CELL),
-                           random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_TEXEL), environment), point);
+  Highlight highlight;
+  if (HIGHLIGHT) highlight = highlight_at(point);
+  for (uint i = 0u; i < LIGHT_COUNT; ++i) {
+    vec2 u = random_pair(seed, sample_index, base + PAIR_LIGHT + i);
+    LightSample s;
+    if (HIGHLIGHT) s = sample_light_or_highlight(i, point, highlight, u);
+    else s = sample_light(i, point.position, u);
+    rays[i] = above_surface(s, point);
+  }
+  if (AMBIENT) {
+    vec2 u = random_pair(seed, sample_index, base + PAIR_AMBIENT);
+    float choice = random_pair(seed, sample_index, base + PAIR_AMBIENT_CHOICE).x;
+    LightSample s;
+    if (HIGHLIGHT) s = sample_ambient_or_highlight(point, highlight, u, choice);
+    else s = sample_ambient(point.normal, point.view, u, choice);
+    rays[LIGHT_COUNT] = above_surface(s, point);
+  }
+  if (ENVIRONMENT) {
+    vec2 cell = random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_CELL);
+    vec2 inside = random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_TEXEL);
+    LightSample s;
+    if (HIGHLIGHT) s = sample_environment_or_highlight(highlight, cell, inside, environment);
+    else s = sample_environment(cell, inside, environment);
+    rays[RAY_COUNT - 1u] = above_surface(s, point);
+  }
 }
 
 // An area light along a mirror's ray, nearer than `t_max`: its number, or -1. One-sided where it is flat.

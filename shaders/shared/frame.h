@@ -49,6 +49,7 @@ using uint = std::uint32_t;
 #define SPEC_PIXEL_CENTRES 11      // bool: no jitter
 #define SPEC_NEW_HIT 12            // bool: trace the primary ray, else take the stored hit
 #define SPEC_LIST 13               // bool: pixels from a list instead of a tile
+#define SPEC_HIGHLIGHT 14          // bool: some visible part has a sharp highlight that directions are drawn from too
 
 #define MAX_LIGHTS 14              // with ambient and environment 16 shadow rays: two words of bits for a hit's four samples
 #define TILE_SIDE 64
@@ -92,6 +93,8 @@ struct PartRow {
 #define PART_ROW_TEXELS 6
 #define PART_TERMS_SHIFT 8         // flags, bits 8..10: PCA terms of the residual in use
 #define PART_SEEN_SHIFT 16         // flags, bits 16..20: cluster 0 sets this bit of what a pixel has seen, the next one the next
+#define PART_HIGHLIGHT_SHIFT 24    // flags, bits 24..31: width of its sharp highlight as 2^(-code / steps), 0: none
+#define PART_HIGHLIGHT_STEPS 32.0
 
 // One picture's camera, grid and display.
 struct FrameParams {
