@@ -14,12 +14,13 @@ function(vamp_shaders target)
   foreach(pass ${ARG_PASSES})
     get_filename_component(stem ${pass} NAME)
     string(REPLACE "." "_" stem ${stem})
+    cmake_path(ABSOLUTE_PATH pass BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
     set(inc ${out}/${stem}.inc)
     add_custom_command(OUTPUT ${inc}
       COMMAND ${GLSLANG_VALIDATOR} -V --target-env vulkan1.2 --quiet -x -o ${inc} --depfile ${inc}.d
-              -I${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/${pass}
-      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${pass} DEPFILE ${inc}.d
-      COMMENT "glslang ${pass}" VERBATIM)
+              -I${CMAKE_SOURCE_DIR} ${pass}
+      DEPENDS ${pass} DEPFILE ${inc}.d
+      COMMENT "glslang ${stem}" VERBATIM)
     list(APPEND objects ${inc})
     string(APPEND header "std::span<const uint32_t> ${stem}();\n")
     string(APPEND source "static const uint32_t ${stem}_words[] = {\n#include \"${inc}\"\n};\nstd::span<const uint32_t> ${stem}() { return ${stem}_words; }\n")

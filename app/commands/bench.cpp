@@ -28,8 +28,14 @@ CLI::App* add_benchmark(CLI::App& bench, const char* name, const char* what, Com
 void add_bench(CLI::App& app, CommonOptions& common, Action& action) {
   CLI::App* verb = app.add_subcommand("bench", "Measure how fast and how exact the program is, beside its peers");
   verb->require_subcommand(1);
+  add_bench_accuracy(*verb, common, action);
   add_bench_edit(*verb, common, action);
+  add_bench_edits(*verb, common, action);
+  add_bench_fit(*verb, common, action);
   add_bench_frame(*verb, common, action);
+  add_bench_measured(*verb, common, action);
+  add_bench_mixture(*verb, common, action);
+  add_bench_shading(*verb, common, action);
 }
 
 }  // namespace vamp

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "app/commands/brdf.h"
-#include "app/commands/figure.h"
+#include "engine/image/figure.h"
 #include "app/commands/option_values.h"
 #include "engine/brdf/registry.h"
 #include "engine/core/files.h"

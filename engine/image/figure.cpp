@@ -1,4 +1,4 @@
-#include "app/commands/figure.h"
+#include "engine/image/figure.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>

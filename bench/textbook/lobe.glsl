@@ -1,5 +1,5 @@
-// Stands in for shaders/brdf/lobe.glsl where the shading kernel is built with textbook forms (bench/CMakeLists.txt): the
-// same interface and constants, one branch a model, windows and cuts as there. Models' usual variants only.
+// Stands in for shaders/brdf/lobe.glsl where the shading kernel is built with textbook forms (bench/CMakeLists.txt): its
+// guard, the same interface and constants, one branch a model, windows and cuts as there. Models' usual variants only.
 #ifndef LOBE_GLSL
 #define LOBE_GLSL
 #include "bench/textbook/textbook.glsl"
@@ -10,7 +10,7 @@ struct LobeView {
   real window;
 };
 
-LobeView lobe_view(uint tag, vec3 wo) {
+LobeView lobe_view(uint tag, vec4 k, vec3 wo) {
   LobeView v;
   v.wo = vec3(wo.xy, max(wo.z, REAL(1e-6)));
   v.window = (tag & LOBE_TAG_DIFFUSE) != 0u ? REAL(1.0) : clamp(wo.z / REAL(0.03), REAL(0.0), REAL(1.0));
