@@ -51,18 +51,12 @@ class Fitter {
     return rows;
   }
 
-  // One representation of a fit, {"measured", "between"}, and the spatial reflectance field beside it.
+  // The error of one representation of a fit, and of the spatial reflectance field beside it.
   Result<Json> point(const Spmm& spmm, const char* name) {
     VAMP_TRY(const fit::Quality on, quality(spmm, false, false));
-    VAMP_TRY(const fit::Quality off, quality(spmm, true, false));
     Json found;
-    for (size_t i = 0; i < on.representations.size(); ++i) {
-      const std::string& each = on.representations[i].name;
-      const std::string key = each == name ? "fit" : each;
-      if (each == name || each == "srf")
-        found[key] = {{"measured", number(on.representations[i].uniform)},
-                      {"between", number(off.representations[i].uniform)}};
-    }
+    for (const fit::Representation& r : on.representations)
+      if (r.name == name || r.name == "srf") found[r.name == name ? "fit" : "srf"] = {{"measured", number(r.uniform)}};
     return found;
   }
 
