@@ -100,7 +100,7 @@ void BasisTable::draw(PanelContext& context) {
     ImGui::TableSetupColumn("Basis", ImGuiTableColumnFlags_WidthStretch, 1.45f);
     ImGui::TableSetupColumn("Model", ImGuiTableColumnFlags_WidthStretch, 1.0f);
     ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, px(58));
-    ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, px(72));
+    ImGui::TableSetupColumn("Energy", ImGuiTableColumnFlags_WidthFixed, px(66));
     ImGui::TableNextRow();
     for (const char* head : {" M   S   L", "Basis", "Model", "Weight", "Energy"}) {
       ImGui::TableNextColumn();

@@ -8,7 +8,13 @@ void add_panels(Dock& dock, Panels& panels, PanelContext& context) {
     entry.id = id;
     entry.title = title;
     entry.beside = beside;
-    entry.draw = [&panel, &context] { panel.draw(context); };
+    // Where nothing is open there is nothing to edit; the log may say why.
+    const bool always = entry.id == "viewport" || entry.id == "log";
+    entry.draw = [&panel, &context, always] {
+      ImGui::BeginDisabled(!always && !context.problem.empty());
+      panel.draw(context);
+      ImGui::EndDisabled();
+    };
     entry.central = entry.id == "viewport";
     dock.add(std::move(entry));
   };

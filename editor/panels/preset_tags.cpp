@@ -49,8 +49,9 @@ void tag_row(const std::vector<std::string>& tags, std::string& chosen) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
   if (chip("all", chosen.empty())) chosen.clear();
   for (const std::string& tag : tags) {
+    const float end = ImGui::GetItemRectMax().x + px(4) + ImGui::CalcTextSize(tag.c_str()).x + px(12);
+    if (end > right && tag != chosen) continue;
     ImGui::SameLine();
-    if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(tag.c_str()).x + px(12) > right) ImGui::NewLine();
     if (chip(tag.c_str(), chosen == tag)) chosen = chosen == tag ? "" : tag;
   }
   ImGui::PopStyleVar(2);

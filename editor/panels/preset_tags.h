@@ -14,8 +14,8 @@ std::vector<std::string> common_tags(const std::vector<LibraryEntry>& entries);
 
 bool has_tag(const LibraryEntry& entry, std::string_view tag);
 
-// Small buttons, over as many lines as they need; the chosen tag is lit, and pressing it again lets all presets show.
-// An empty `chosen` is "all".
+// A line of small buttons, as many as fit: the others are found by typing them. The chosen tag is lit, and pressing it
+// again lets all presets show. An empty `chosen` is "all".
 void tag_row(const std::vector<std::string>& tags, std::string& chosen);
 
 }  // namespace vamp::ui
