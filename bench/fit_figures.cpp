@@ -79,17 +79,27 @@ class Fitter {
 Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& options, int threads, Progress& progress) {
   const fs::path path = options.cache / fmt::format("{}.json", material.name);
   const Json key = {{"version", kVersion}, {"size", options.size}, {"samples", options.samples}};
+  Json figures;
   if (const auto text = read_text(path, 1 << 20))
     if (auto old = parse_json(*text, path.string()); old && old->contains("key") && (*old)["key"] == key)
-      return std::move(*old);
+      figures = std::move(*old);
+  if (figures.contains("ring")) return figures;  // the last part
 
   VAMP_TRY(const FitData data, fit_data(material, options, progress));
   Fitter fitter(data, threads, progress);
-  Json figures{{"key", key}, {"noise", number(data.noise)}, {"noise_between", number(data.noise_between)}};
-  for (const int clusters : {2, kFitClusters}) {
-    VAMP_TRY(const Spmm spmm, fitter.fit({.clusters = clusters}));
-    VAMP_TRY(figures["curves"][fmt::format("{} clusters", clusters)], fitter.curve(spmm));
-  }
+  figures["key"] = key;
+  figures["noise"] = number(data.noise);
+  figures["noise_between"] = number(data.noise_between);
+  // Each part is kept as soon as it is there.
+  const auto part = [&](Json& into, const std::string& name, const fit::FitOptions& fit, const auto& judge) -> Status {
+    if (into.contains(name)) return {};
+    VAMP_TRY(const Spmm spmm, fitter.fit(fit));
+    VAMP_TRY(into[name], judge(spmm));
+    return write_text_atomically(path, print_json(figures));
+  };
+  for (const int clusters : {2, kFitClusters})
+    VAMP_CHECK_STATUS(part(figures["curves"], fmt::format("{} clusters", clusters), {.clusters = clusters},
+                           [&](const Spmm& spmm) { return fitter.curve(spmm); }));
   const fit::FitOptions usual{.clusters = kFitClusters};
   fit::FitOptions few = usual, few_any = usual, any = usual, ring = usual;
   few.functions = few_any.functions = 3;
@@ -97,15 +107,11 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
   few.terms = few_any.terms = -1;
   any.bases = few_any.bases = kManyBases;
   ring.left_out = {45};
-  VAMP_TRY(const Spmm with_few, fitter.fit(few));
-  VAMP_TRY(figures["few"], fitter.point(with_few, "functions"));
-  VAMP_TRY(const Spmm with_few_of_any, fitter.fit(few_any));
-  VAMP_TRY(figures["few_any"], fitter.point(with_few_of_any, "functions"));
-  VAMP_TRY(const Spmm with_any, fitter.fit(any));
-  VAMP_TRY(figures["any"], fitter.point(with_any, "with 4 terms"));
-  VAMP_TRY(const Spmm without_ring, fitter.fit(ring));
-  VAMP_TRY(figures["ring"], fitter.ring(without_ring));
-  VAMP_CHECK_STATUS(write_text_atomically(path, print_json(figures)));
+  const auto alone = [&](const Spmm& spmm) { return fitter.point(spmm, "functions"); };
+  VAMP_CHECK_STATUS(part(figures, "few", few, alone));
+  VAMP_CHECK_STATUS(part(figures, "few_any", few_any, alone));
+  VAMP_CHECK_STATUS(part(figures, "any", any, [&](const Spmm& spmm) { return fitter.point(spmm, "with 4 terms"); }));
+  VAMP_CHECK_STATUS(part(figures, "ring", ring, [&](const Spmm& spmm) { return fitter.ring(spmm); }));
   return figures;
 }
 
