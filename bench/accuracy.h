@@ -11,10 +11,10 @@ class Device;
 }
 
 struct AccuracyBench {
-  int lobes = 1000, pairs = 1000;  // of hard questions, a variant
-  int rounds = 7;                  // of timings
-  int side = 256;                  // of pictures, pixels
-  uint32_t samples = 256;          // of reference pictures
+  int lobes = 500, pairs = 600;  // of hard questions, a variant
+  int rounds = 7;                // of timings
+  int side = 256;                // of pictures, pixels
+  uint32_t samples = 256;        // of reference pictures
 };
 
 struct Plot {

@@ -119,6 +119,7 @@ Json json_of(const Machine& m) {
 Figure plot(const std::vector<Measured>& all) {
   constexpr float kLeft = 70, kTop = 50, kWidth = 340, kHeight = 330, kGap = 90;
   constexpr double kLeast = 1e-8, kMost = 1;  // of errors; what is beyond stands on the frame
+  constexpr double kFastest = 0.1;            // ns; what is faster likewise
   constexpr vec3 kGrid(0.85f);
   constexpr vec3 kColours[] = {{0.35f, 0.35f, 0.35f}, {0.62f, 0.45f, 0.20f}, {0.12f, 0.35f, 0.65f},
                                {0.80f, 0.37f, 0.08f}, {0.18f, 0.52f, 0.28f}, {0.62f, 0.16f, 0.22f},
@@ -126,12 +127,12 @@ Figure plot(const std::vector<Measured>& all) {
   double slowest = 1, fastest = 1e9;
   for (const Measured& m : all)
     for (const double ns : {m.cpu.robust_ns, m.cpu.textbook_ns, m.device.robust_ns, m.device.textbook_ns})
-      slowest = std::max(slowest, ns), fastest = std::min(fastest, std::max(ns, 0.05));
+      slowest = std::max(slowest, ns), fastest = std::min(fastest, std::max(ns, kFastest));
   const double low = std::floor(std::log10(fastest)), high = std::ceil(std::log10(slowest));
   Figure figure(2 * static_cast<int>(kLeft + kWidth) + 40, 470);
   const auto panel = [&](float left, const char* title, const Machine Measured::*machine) {
     const auto at = [&](double ns, double error) {
-      const double x = (std::log10(std::max(ns, 0.05)) - low) / (high - low);
+      const double x = (std::log10(std::max(ns, kFastest)) - low) / (high - low);
       const double y = std::log10(std::clamp(error, kLeast, kMost) / kLeast) / std::log10(kMost / kLeast);
       return vec2(left + kWidth * static_cast<float>(x), kTop + kHeight * static_cast<float>(1 - y));
     };
