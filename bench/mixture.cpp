@@ -88,7 +88,6 @@ class Material {
   }
   // What the renderer draws besides points on lights.
   Mixture highlight() const {
-    if (width_ == 0) return {0, {}};
     return {0, {proposal_of({.name = {}, .lobe = {}, .normal = {0, 0, 1}, .psi = 0}, width_, 1)}};
   }
   double width() const { return double{width_}; }

@@ -1,5 +1,7 @@
 #pragma once
 // Questions that are hard to answer in float, and how far answers are from the double build on the same floats.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>

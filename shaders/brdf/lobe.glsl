@@ -36,9 +36,10 @@ struct LobeView {
   vec3 wo;
   real oz, inv_oz;
   real window;
-  vec3 other;             // what the light is measured from: the viewer; of Lafortune's lobe the viewer by its signs
-  vec3 axis, rest;        // of Lafortune's lobe, as in lafortune_distance(): its sum is dot(axis, wi), its distance
-  real half_top;          // half_top |wi - other|^2 + dot(rest, wi)
+  vec3 other;  // the viewer, of Lafortune's lobe with the signs of its constants
+  // Of Lafortune's lobe: its sum is dot(axis, wi), lafortune_distance() is half_top |wi - other|^2 + dot(rest, wi).
+  vec3 axis, rest;
+  real half_top;
 };
 
 LobeView lobe_view(uint tag, vec4 k, vec3 wo) {
