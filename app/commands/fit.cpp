@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <optional>
 
 #include "app/commands/command.h"
@@ -32,7 +33,7 @@ struct FitText {
   std::string btf, output, name, tags;
   std::string clusters, representatives, functions, terms, bases, error, seed, threads, left_out;
   std::string weights = "elimination", kind = "spmm";
-  bool per_cluster = false;
+  bool per_cluster = false, curve = false;
 };
 
 Result<fit::FitOptions> read_options(const FitText& text) {
@@ -65,6 +66,7 @@ Result<fit::FitOptions> read_options(const FitText& text) {
     options.left_out.push_back(double{degrees});
   }
   options.per_cluster = text.per_cluster;
+  options.curve = text.curve;
   options.weights = text.weights == "lasso"       ? fit::Weights::group_lasso
                     : text.weights == "stagewise" ? fit::Weights::stagewise_lasso
                                                   : fit::Weights::elimination;
@@ -134,10 +136,48 @@ Json figures(const fit::FitResult& result, const FitText& text, double seconds) 
   json["seconds"] = number(seconds);
   for (const auto& [stage, took] : report.seconds) json["seconds_by_stage"][stage] = number(took);
   json["functions"] = functions_json(spmm, report);
+  for (const fit::CurvePoint& point : report.curve)
+    json["curve"].push_back({{"bases", point.bases},
+                             {"functions_per_texel", number(point.functions)},
+                             {"relative_rmse", number(point.error)}});
   return json;
 }
 
 std::string percent(double value) { return fmt::format("{:.2f} %", 100 * value); }
+
+// What a designer will find in the basis table: the functions by their share of the light, fillers in one line.
+void print_functions(const Spmm& spmm, const fit::FitReport& report) {
+  const Json functions = functions_json(spmm, report);
+  std::vector<size_t> order(functions.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  const auto share = [&](size_t j) { return functions[j]["share"].get<double>(); };
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return share(a) > share(b); });
+  double fillers = 0;
+  int count = 0;
+  for (const size_t j : order) {
+    if (report.filler[j]) {
+      fillers += share(j);
+      ++count;
+    } else {
+      fmt::print("{:6.1f} %  {:<20} {}\n", 100 * share(j), functions[j]["model"].get<std::string>(),
+                 functions[j]["name"].get<std::string>());
+    }
+  }
+  if (count > 0)
+    fmt::print("{:6.1f} %  {} of the functions stand for no layer of the material (\"filler\")\n", 100 * fillers,
+               count);
+}
+
+// Rows: functions of the material; columns: functions a texel.
+void print_curve(const std::vector<fit::CurvePoint>& curve) {
+  if (!curve.empty())
+    fmt::print("relative RMSE of the functions alone, by functions of the material and of a texel:\n");
+  for (size_t i = 0; i < curve.size(); ++i) {
+    if (i == 0 || curve[i].bases != curve[i - 1].bases) fmt::print("{}{:5}:", i == 0 ? "" : "\n", curve[i].bases);
+    fmt::print("  {:.1f} {}", curve[i].functions, percent(curve[i].error));
+  }
+  if (!curve.empty()) fmt::print("\n");
+}
 
 void print_text(const fit::FitResult& result, const FitText& text, double seconds) {
   const Spmm& spmm = result.spmm;
@@ -149,8 +189,8 @@ void print_text(const fit::FitResult& result, const FitText& text, double second
   for (size_t k = 2; k < report.errors.size(); ++k)
     fmt::print(", {} term{} {}", k - 1, k == 2 ? "" : "s", percent(report.errors[k]));
   fmt::print("\n");
-  const auto fillers = std::count(report.filler.begin(), report.filler.end(), true);
-  if (fillers > 0) fmt::print("{} of the functions stand for no layer of the material (\"filler\")\n", fillers);
+  print_functions(spmm, report);
+  print_curve(report.curve);
 }
 
 // Where it came from, in a sentence that stays with the preset.
@@ -269,6 +309,7 @@ void add_fit(CLI::App& app, CommonOptions& common, Action& action) {
       ->check(CLI::IsMember({"spmm", "srf"}))
       ->capture_default_str();
   verb->add_flag("--per-cluster", text->per_cluster, "Give each cluster functions of its own, --bases at most");
+  verb->add_flag("--curve", text->curve, "Also tell what fewer functions, of a texel and of the material, would cost");
   verb->add_option("--leave-out", text->left_out, "Rings of directions that take no part, for tests: polar angles")
       ->type_name("DEGREES");
   verb->add_option("--seed", text->seed, "Of the random numbers: one seed, one material; 1")->type_name("N");

@@ -213,6 +213,11 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   if (stopped()) return JobQueue::cancelled_error();
   const std::vector<TexelWeights> weights = weigh(codes, design, options, found.square, report);
   stages.done("weights");
+  if (options.curve) {
+    report.curve = sparsity_curve(measurement, design, static_cast<size_t>(options.functions), found.square, worker);
+    stages.done("curve");
+    if (stopped()) return JobQueue::cancelled_error();
+  }
 
   const bool with_residual = options.terms >= 0 && can_have_residual(measurement);
   const size_t terms = with_residual ? static_cast<size_t>(options.terms) : 0;
@@ -231,8 +236,7 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   }
 
   const double left =
-      report.errors.back() *
-      std::sqrt(found.square / static_cast<double>(measurement.texels() * measurement.values()));
+      report.errors.back() * std::sqrt(found.square / static_cast<double>(measurement.texels() * measurement.values()));
   result.spmm =
       bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms, left);
   for (const Basis& basis : dictionary.bases) report.filler.push_back(is_filler(basis, limits));

@@ -7,6 +7,7 @@
 
 #include "engine/btf/btf.h"
 #include "engine/core/progress.h"
+#include "engine/fit/curve.h"
 #include "engine/material/spmm.h"
 
 namespace vamp::fit {
@@ -25,6 +26,7 @@ struct FitOptions {
   Weights weights = Weights::elimination;
   uint64_t seed = 1;
   int threads = 0;               // 0: as many as the machine has
+  bool curve = false;            // also tell what fewer functions would cost (report.curve)
   std::vector<double> left_out;  // rings of directions that take no part, degrees; for tests of what lies between
 };
 
@@ -37,6 +39,7 @@ struct FitReport {
   int representatives = 0, candidates = 0;              // texels that lobes were fitted to; functions found in them
   double representative_error = 0;                      // mean relative RMSE of their own lobes
   std::vector<bool> filler;                             // a function
+  std::vector<CurvePoint> curve;                        // where it was asked for
   std::vector<std::pair<std::string, double>> seconds;  // a stage
 };
 

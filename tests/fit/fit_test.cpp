@@ -51,6 +51,23 @@ TEST(Fit, ReportsTheErrorThatTheMaterialHas) {
         << quality->representations[i].name;
 }
 
+TEST(Fit, TheCurveFallsWithFunctionsAndEndsWithAllOfThem) {
+  const Btf btf = test::measure(test::random_synthetic(5, 144, 8, 3), 12, 12);
+  FitOptions options = small_options();
+  options.curve = true;
+  const auto result = fit_spmm(btf, options);
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  const std::vector<CurvePoint>& curve = result->report.curve;
+  ASSERT_GT(curve.size(), 6u);
+  for (size_t i = 1; i < curve.size(); ++i) {
+    if (curve[i].bases != curve[i - 1].bases) continue;
+    EXPECT_GE(curve[i].functions, curve[i - 1].functions);
+    EXPECT_LE(curve[i].error, curve[i - 1].error + 1e-9);
+  }
+  EXPECT_EQ(curve.back().bases, result->spmm.dictionary.size());
+  EXPECT_NEAR(curve.back().error, result->report.all_functions_error, 1e-6);
+}
+
 TEST(Fit, IsTheSameForASeedWhateverTheNumberOfThreads) {
   const Btf btf = test::measure(test::random_synthetic(8, 100, 8, 3), 10, 10);
   std::vector<std::byte> first;
