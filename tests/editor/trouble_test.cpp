@@ -49,7 +49,8 @@ TEST_F(Dropped, APresetGivesWhatWasSavedAndNotWhatWasMadeOfIt) {
     editor.key("ctrl+s");
     return edited_rows(document()) == 0;
   })) << editor.log();
-  // "Use the edited one", at the lower right.
+  // "Use the edited one", at the lower right once the word that it was saved is gone.
+  std::this_thread::sleep_for(std::chrono::seconds(5));
   editor.click(920, 740);
   EXPECT_TRUE(wait_until([&] {
     editor.key("ctrl+s");
