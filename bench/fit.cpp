@@ -90,7 +90,8 @@ std::vector<Bar> bars() {
 }
 
 // Six panels of curves: errors between the directions, by `key` in logarithms from `low` to `high`.
-Figure panels(const std::vector<Json>& all, const char* key, const char* unit, double low, double high) {
+Figure panels(const std::vector<const FitMaterial*>& materials, const std::vector<Json>& all, const char* key,
+              const char* unit, double low, double high) {
   constexpr float kWidth = 300, kHeight = 230;
   Figure figure(static_cast<int>(3 * kWidth), static_cast<int>(2 * kHeight + 24));
   for (size_t i = 0; i < all.size(); ++i) {
@@ -106,7 +107,7 @@ Figure panels(const std::vector<Json>& all, const char* key, const char* unit, d
     }
     for (double x = low; x <= high * 1.001; x *= 4)
       figure.words(at(x, 0) + vec2(0, 14), fmt::format("{:g}", x), 10, Anchor::middle);
-    figure.words(corner + vec2(44, 16), fit_materials()[i].name, 12, Anchor::left);
+    figure.words(corner + vec2(44, 16), materials[i]->name, 12, Anchor::left);
     const auto draw = [&](const Json& rows, std::string_view prefix, vec3 colour) {
       std::vector<vec2> points;
       for (const Json& row : rows)
@@ -139,12 +140,27 @@ Figure panels(const std::vector<Json>& all, const char* key, const char* unit, d
   return figure;
 }
 
+Result<std::vector<const FitMaterial*>> chosen(const FitBench& options) {
+  std::vector<const FitMaterial*> found;
+  std::string names;
+  for (const FitMaterial& material : fit_materials()) {
+    const auto& asked = options.materials;
+    if (asked.empty() || std::find(asked.begin(), asked.end(), material.name) != asked.end())
+      found.push_back(&material);
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", material.name);
+  }
+  if (found.size() == (options.materials.empty() ? fit_materials().size() : options.materials.size())) return found;
+  return fail(ErrorKind::usage, "", "--materials", "some of " + names,
+              fmt::format("{}", fmt::join(options.materials, ", ")));
+}
+
 }  // namespace
 
 Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
+  VAMP_TRY(const std::vector<const FitMaterial*> materials, chosen(options));
   std::vector<Json> all;
-  for (const FitMaterial& material : fit_materials()) {
-    VAMP_TRY(Json figures, fit_figures(material, options.data, options.threads, progress));
+  for (const FitMaterial* material : materials) {
+    VAMP_TRY(Json figures, fit_figures(*material, options.data, options.threads, progress));
     all.push_back(std::move(figures));
   }
   Report report("fit",
@@ -152,8 +168,8 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
                             "clusters unless said. Errors are relative RMSE, all pairs alike.",
                             options.data.size, options.data.samples, 2 * options.data.samples, kFitClusters));
   std::vector<std::string> heads = {"figure (asked for)"};
-  for (const FitMaterial& material : fit_materials())
-    heads.push_back(fmt::format("{}{}", material.name, material.steep ? " (steep)" : ""));
+  for (const FitMaterial* material : materials)
+    heads.push_back(fmt::format("{}{}", material->name, material->steep ? " (steep)" : ""));
   report.table(heads);
   for (const Bar& bar : bars()) {
     std::vector<std::string> cells = {*bar.asked != 0 ? fmt::format("{} ({})", bar.what, bar.asked) : bar.what};
@@ -162,7 +178,7 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     report.row(std::move(cells));
   }
   // Each representation of the usual fit: error measured / between, and MSSIM.
-  heads.front() = "KiB of calf; measured / between, %; MSSIM";
+  heads.front() = "KiB of the first; measured / between, %; MSSIM";
   report.table(heads);
   for (size_t i = 0; i < usual(all.front()).size(); ++i) {
     const Json& first = usual(all.front())[i];
@@ -179,9 +195,9 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     }
     report.row(std::move(cells));
   }
-  for (size_t i = 0; i < all.size(); ++i) report.data()[fit_materials()[i].name] = all[i];
-  return FitCurves{std::move(report), panels(all, "kib", "KiB", 64, 16384),
-                   panels(all, "ns", "nanoseconds of an evaluation on one core", 64, 16384)};
+  for (size_t i = 0; i < all.size(); ++i) report.data()[materials[i]->name] = all[i];
+  return FitCurves{std::move(report), panels(materials, all, "kib", "KiB", 64, 16384),
+                   panels(materials, all, "ns", "nanoseconds of an evaluation on one core", 64, 16384)};
 }
 
 }  // namespace vamp

@@ -9,6 +9,7 @@ namespace vamp {
 
 struct FitBench {
   FitDataOptions data;
+  std::vector<std::string> materials;  // of fit_materials(); none: all
   int threads = 0;
 };
 

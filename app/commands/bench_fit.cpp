@@ -15,7 +15,7 @@ namespace vamp {
 namespace {
 
 struct Options {
-  std::string cache = "build/bench-fit", size = "64", samples = "25", threads = "0", page;
+  std::string cache = "build/bench-fit", size = "64", samples = "25", threads = "0", materials, page;
 };
 
 Status run(const Options& options, const CommonOptions& common) {
@@ -24,6 +24,7 @@ Status run(const Options& options, const CommonOptions& common) {
   VAMP_TRY(const uint32_t samples, count_option(options.samples, "--spp", 2, 4096));
   VAMP_TRY(const uint32_t threads, count_option(options.threads, "--threads", 0, 256));
   bench.data = {options.cache, static_cast<int>(size), static_cast<int>(samples)};
+  for (const std::string_view name : list_option(options.materials)) bench.materials.emplace_back(name);
   bench.threads = static_cast<int>(threads);
   catch_interrupts();
   Progress progress;
@@ -55,6 +56,7 @@ void add_bench_fit(CLI::App& bench, CommonOptions& common, Action& action) {
   verb->add_option("--cache", options->cache, "Folder of measurements and figures that are kept: 1.3 GiB")
       ->type_name("FOLDER")
       ->capture_default_str();
+  verb->add_option("--materials", options->materials, "Some of them; all six by default")->type_name("NAME,NAME");
   verb->add_option("--size", options->size, "Texels across each material")->type_name("N")->capture_default_str();
   verb->add_option("--spp", options->samples, "Paths for each texel and view")->type_name("S")->capture_default_str();
   verb->add_option("--threads", options->threads, "0: one for each core")->capture_default_str();
