@@ -162,11 +162,13 @@ std::vector<Change> changes() {
          return recoloured(s, red, green, {sand, white});
        }},
       {"calf: finish taken off",
-       "gain 0 of all functions that shine",
+       "the white in all weights to black",
        "calf",
        {},
        {{"coat", 0.f}},
-       [](const Spmm& s) { return with_gloss(s, 0); }},
+       [=](const Spmm& s) {
+         return recoloured(s, white, vec3(0), {leather, leather_crease});
+       }},
       {"calf: finish rougher, 0.25 to 0.4",
        "widths of all functions that shine times 1.6",
        "calf",
