@@ -25,8 +25,9 @@ TEST_P(ShippedPreset, IsRichEnoughToEdit) {
   const auto preset = load_preset(path());
   ASSERT_TRUE(preset) << preset.error().message();
   const Spmm& fit = *preset->fit;
-  EXPECT_EQ(fit.width, 256);
-  EXPECT_EQ(fit.height, 256);
+  EXPECT_GE(fit.width, 128);
+  EXPECT_EQ(fit.height, fit.width);
+  EXPECT_GE(fit.size_mm().x, 12);  // less would repeat too often
   EXPECT_EQ(preset->edits, EditLayer{});
   EXPECT_FALSE(preset->licence.empty());
   EXPECT_FALSE(preset->provenance.empty());
@@ -40,10 +41,14 @@ TEST_P(ShippedPreset, IsRichEnoughToEdit) {
   }
   EXPECT_GE(clusters.size(), 8u);
   EXPECT_EQ(clusters.size(), fit.clusters.size());  // none is empty
-  EXPECT_GE(models.size(), 4u);
-  EXPECT_GE(tilted.size(), 6u);
-  EXPECT_GE(fit.dictionary.size(), 16u);
+  EXPECT_GE(fit.dictionary.size(), 8u);
   EXPECT_LE(fit.dictionary.size(), 32u);
+  // Patent leather is nearly flat and has one finish.
+  if (GetParam() != std::string_view("patent")) {
+    EXPECT_GE(models.size(), 4u);
+    EXPECT_GE(tilted.size(), 6u);
+    EXPECT_GE(fit.dictionary.size(), 16u);
+  }
   EXPECT_EQ(fit.residual.directions.size(), 81u);
   EXPECT_EQ(fit.residual.terms, 4);
   EXPECT_EQ(fit.residual.records.size(), fit.clusters.size() * 81 * 81);
@@ -70,14 +75,14 @@ TEST_P(ShippedPreset, HasAThumbnail) {
   EXPECT_EQ(image->height, 256);
 }
 
-TEST_P(ShippedPreset, NeverReflectsMoreThanArrivesAndIsSeldomNegative) {
+TEST_P(ShippedPreset, NeverReflectsMoreThanArrivesAndHardlyLessThanNothing) {
   const Preset preset = load_preset(path()).value();
   const Spmm& fit = *preset.fit;
   const DirectionTables directions = triangulate(fit.residual.directions, "t").value();
   const EditedTables tables = edited_tables(fit, {});
   std::mt19937 random(17);
   std::uniform_real_distribution<double> uniform(0, 1);
-  int negative = 0, pairs = 0;
+  double below = 0, all = 0;  // light, of all viewers; what is below zero is a residual that overshoots
   for (const double degrees : {0.0, 30.0, 60.0, 80.0, 88.0}) {
     const double t = degrees * std::numbers::pi / 180;
     dvec3 sum(0);
@@ -86,19 +91,22 @@ TEST_P(ShippedPreset, NeverReflectsMoreThanArrivesAndIsSeldomNegative) {
       const double turn = 2 * std::numbers::pi * uniform(random);
       const dvec3 wi = test::random_direction(random);
       const dvec3 wo(std::sin(t) * std::cos(turn), std::sin(t) * std::sin(turn), std::cos(t));
-      const dvec3 value = evaluate(fit, tables, 4, directions, static_cast<int>(uniform(random) * 256),
-                                   static_cast<int>(uniform(random) * 256), wi, wo);
+      const dvec3 value = evaluate(fit, tables, 4, directions, static_cast<int>(uniform(random) * fit.width),
+                                   static_cast<int>(uniform(random) * fit.height), wi, wo);
       for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(value[c]));
       sum += value * (2 * std::numbers::pi);
-      negative += std::min({value.x, value.y, value.z}) < -1e-3 ? 1 : 0;
-      ++pairs;
+      for (int c = 0; c < 3; ++c) {
+        below += std::max(-value[c], 0.0);
+        all += value[c];
+      }
     }
     for (int c = 0; c < 3; ++c) {
       EXPECT_LE(sum[c] / kSamples, 1) << degrees << " degrees";
       EXPECT_GT(sum[c] / kSamples, 0.02) << degrees << " degrees";
     }
   }
-  EXPECT_LT(negative, 0.02 * pairs);
+  // Most in glossy ones, whose highlights are narrower than the measured directions are apart.
+  EXPECT_LT(below, 0.05 * all);
 }
 
 TEST_P(ShippedPreset, RepeatsWithoutASeam) {
@@ -110,22 +118,29 @@ TEST_P(ShippedPreset, RepeatsWithoutASeam) {
   const auto value = [&](int x, int y) {
     return evaluate(fit, tables, 4, directions, x, y, {0.3, 0.2, std::sqrt(0.87)}, {0, 0, 1}).y;
   };
+  const int side = fit.width;
   const auto step = [&](int x, bool across) {
     double sum = 0;
-    for (int i = 0; i < 256; ++i)
-      sum +=
-          std::abs(across ? value(x % 256, i) - value((x + 1) % 256, i) : value(i, x % 256) - value(i, (x + 1) % 256));
+    for (int i = 0; i < side; ++i)
+      sum += std::abs(across ? value(x % side, i) - value((x + 1) % side, i)
+                             : value(i, x % side) - value(i, (x + 1) % side));
     return sum;
   };
   for (const bool across : {false, true}) {
     double inside = 0;
-    for (int x = 0; x < 255; ++x) inside = std::max(inside, step(x, across));
-    EXPECT_LE(step(255, across), 1.1 * inside);
+    for (int x = 0; x < side - 1; ++x) inside = std::max(inside, step(x, across));
+    EXPECT_LE(step(side - 1, across), 1.1 * inside);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedPreset, testing::Values("calf", "twill"),
-                         [](const auto& preset) { return std::string(preset.param); });
+INSTANTIATE_TEST_SUITE_P(All, ShippedPreset,
+                         testing::Values("calf", "patent", "nubuck", "suede", "crocodile", "perforated", "twill",
+                                         "denim", "canvas", "corduroy", "felt", "air-mesh"),
+                         [](const auto& preset) {
+                           std::string name = preset.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace vamp
