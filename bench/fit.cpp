@@ -14,6 +14,8 @@ namespace {
 
 const vec3 kBlue(0.12f, 0.35f, 0.75f), kGreen(0.15f, 0.55f, 0.25f), kGrey(0.45f), kRed(0.8f, 0.2f, 0.15f), kGrid(0.88f);
 
+constexpr double kNone = -1;  // a figure that was not asked for
+
 std::string percent(double value) { return fmt::format("{:.1f}", 100 * value); }
 
 double value(const Json& row, const char* key) { return row[key].get<double>(); }
@@ -60,7 +62,9 @@ double over_equal_bytes(const Json& figures, int clusters, const char* name, con
 
 std::vector<Bar> bars() {
   const auto few = [](const char* which) {
-    return [which](const Json& f) { return value(f[which]["fit"], "measured") / value(f[which]["srf"], "measured"); };
+    return [which](const Json& f) {
+      return f.contains(which) ? value(f[which]["fit"], "measured") / value(f[which]["srf"], "measured") : kNone;
+    };
   };
   return {
       {"4 terms / SVD of rank 10, measured", [](const Json& f) { return over_svd10(f, "measured"); }, "< 1"},
@@ -81,7 +85,9 @@ std::vector<Bar> bars() {
       {"its share that is noise, %", [](const Json& f) { return value(f, "noise_between"); }, "", true},
       {"32 bases / many",
        [](const Json& f) {
-         return value(named(usual(f), "with 4 terms"), "measured") / value(f["any"]["fit"], "measured");
+         return f.contains("any")
+                    ? value(named(usual(f), "with 4 terms"), "measured") / value(f["any"]["fit"], "measured")
+                    : kNone;
        },
        "1.08"},
       {"left-out ring / directions used",
@@ -174,7 +180,10 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
   for (const Bar& bar : bars()) {
     std::vector<std::string> cells = {*bar.asked != 0 ? fmt::format("{} ({})", bar.what, bar.asked) : bar.what};
     for (const Json& figures : all)
-      cells.push_back(bar.percent ? percent(bar.of(figures)) : fmt::format("{:.3f}", bar.of(figures)));
+      if (const double found = bar.of(figures); found == kNone)
+        cells.emplace_back("-");
+      else
+        cells.push_back(bar.percent ? percent(found) : fmt::format("{:.3f}", found));
     report.row(std::move(cells));
   }
   // Each representation of the usual fit: error measured / between, and MSSIM.

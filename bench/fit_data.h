@@ -23,6 +23,7 @@ struct FitDataOptions {
   fs::path cache;
   int size = 64;     // texels
   int samples = 25;  // paths of a texel and view; twice as many between
+  bool many = true;  // fits with many functions too, which take longest
 };
 
 struct FitData {

@@ -83,7 +83,7 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
   if (const auto text = read_text(path, 1 << 20))
     if (auto old = parse_json(*text, path.string()); old && old->contains("key") && (*old)["key"] == key)
       figures = std::move(*old);
-  if (figures.contains("ring")) return figures;  // the last part
+  if (figures.contains("ring") && (figures.contains("any") || !options.many)) return figures;
 
   VAMP_TRY(const FitData data, fit_data(material, options, progress));
   Fitter fitter(data, threads, progress);
@@ -109,9 +109,10 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
   ring.left_out = {45};
   const auto alone = [&](const Spmm& spmm) { return fitter.point(spmm, "functions"); };
   VAMP_CHECK_STATUS(part(figures, "few", few, alone));
+  VAMP_CHECK_STATUS(part(figures, "ring", ring, [&](const Spmm& spmm) { return fitter.ring(spmm); }));
+  if (!options.many) return figures;
   VAMP_CHECK_STATUS(part(figures, "few_any", few_any, alone));
   VAMP_CHECK_STATUS(part(figures, "any", any, [&](const Spmm& spmm) { return fitter.point(spmm, "with 4 terms"); }));
-  VAMP_CHECK_STATUS(part(figures, "ring", ring, [&](const Spmm& spmm) { return fitter.ring(spmm); }));
   return figures;
 }
 

@@ -15,6 +15,7 @@ namespace vamp {
 namespace {
 
 struct Options {
+  bool quick = false;
   std::string cache = "build/bench-fit", size = "64", samples = "25", threads = "0", materials, page;
 };
 
@@ -23,7 +24,7 @@ Status run(const Options& options, const CommonOptions& common) {
   VAMP_TRY(const uint32_t size, count_option(options.size, "--size", 24, 256));
   VAMP_TRY(const uint32_t samples, count_option(options.samples, "--spp", 2, 4096));
   VAMP_TRY(const uint32_t threads, count_option(options.threads, "--threads", 0, 256));
-  bench.data = {options.cache, static_cast<int>(size), static_cast<int>(samples)};
+  bench.data = {options.cache, static_cast<int>(size), static_cast<int>(samples), !options.quick};
   for (const std::string_view name : list_option(options.materials)) bench.materials.emplace_back(name);
   bench.threads = static_cast<int>(threads);
   catch_interrupts();
@@ -59,6 +60,7 @@ void add_bench_fit(CLI::App& bench, CommonOptions& common, Action& action) {
   verb->add_option("--materials", options->materials, "Some of them; all six by default")->type_name("NAME,NAME");
   verb->add_option("--size", options->size, "Texels across each material")->type_name("N")->capture_default_str();
   verb->add_option("--spp", options->samples, "Paths for each texel and view")->type_name("S")->capture_default_str();
+  verb->add_flag("--quick", options->quick, "Without the fits of many functions, which take longest");
   verb->add_option("--threads", options->threads, "0: one for each core")->capture_default_str();
   verb->add_option("--into", options->page, "Also put the figures into this page, in place of its block of this name")
       ->type_name("FILE.md");
