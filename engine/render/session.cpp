@@ -240,6 +240,11 @@ class RenderSession::Impl {
     finished_ =
         renderer_.region().width > 0 && !renderer_.replaying() && renderer_.samples() >= project->settings.max_samples;
     const std::lock_guard lock(mutex_);
+    // Light and exposure are a matter of sums that are there: no pixel lost its samples.
+    if (change->recomposed && !change->restarted && change->reshaded == 0 && !reason.empty()) {
+      status_.restart_reason = reason;
+      status_.restarted_pixels = 0;
+    }
     status_.project = std::move(project);
     status_.error.clear();
     status_.finished = finished_;

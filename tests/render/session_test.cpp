@@ -1,4 +1,4 @@
-// What the interactive renderer tells of its picture while the view moves.
+// What the interactive renderer tells of its picture while the view moves and lights change.
 #include "engine/render/session.h"
 
 #include <chrono>
@@ -57,6 +57,29 @@ TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
   session.pause(false);
   ASSERT_TRUE(soon([&] { return ids.update(session); }));
   EXPECT_EQ(ids.pixels.size(), 32u * 24u);
+}
+
+TEST_F(RenderTest, SaysThatNoPixelRestartedWhereSumsAreWeighedAnew) {
+  SceneBuilder scene;
+  scene.add_box("box", vec3(-0.5f), vec3(0.5f));
+  Project project = dark_project(scene.build());
+  project.camera = {.eye = vec3(0, 1, 3), .target = vec3(0)};
+  Light light;
+  light.center = vec3(0, 3, 3);
+  light.power = 10;
+  project.lights = {light};
+  project.settings.max_samples = 2;
+  RenderSession session(*device, std::make_shared<const Project>(project), 32, 24);
+  ASSERT_TRUE(soon([&] { return session.status().finished; }));
+  EXPECT_EQ(session.status().restarted_pixels, 32u * 24u);
+  project.lights[0].power = 20;
+  const auto brighter = std::make_shared<const Project>(project);
+  session.set_project(brighter, "power of a light");
+  ASSERT_TRUE(soon([&] { return session.status().project == brighter; }));
+  const RenderStatus status = session.status();
+  EXPECT_EQ(status.restarted_pixels, 0u);
+  EXPECT_EQ(status.restart_reason, "power of a light");
+  EXPECT_EQ(status.samples, 2u);
 }
 
 }  // namespace
