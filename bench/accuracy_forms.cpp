@@ -98,12 +98,17 @@ void add_costs(const std::vector<Measured>& all, Report& report) {
                 ns(m.device.lobe_ns)});
 }
 
+// JSON has no infinite numbers.
+Json number_of(double error) { return std::isfinite(error) ? Json(error) : Json(nullptr); }
+
 Json json_of(const Errors& errors) {
   Json json = Json::object();
   for (const ErrorRegion region : kErrorRegions) {
     const RegionErrors& e = errors[static_cast<size_t>(region)];
-    json[std::string(name_of(region))] = {
-        {"count", e.all.size()}, {"median", e.quantile(0.5)}, {"p999", e.quantile(0.999)}, {"max", e.worst}};
+    json[std::string(name_of(region))] = {{"count", e.all.size()},
+                                          {"median", number_of(e.quantile(0.5))},
+                                          {"p999", number_of(e.quantile(0.999))},
+                                          {"max", number_of(e.worst)}};
   }
   return json;
 }
