@@ -82,7 +82,7 @@ std::vector<Bar> bars() {
        "0.96 on four, 0.93 on all"},
       {"error between the directions, %",
        [](const Json& f) { return value(named(usual(f), "with 4 terms"), "between"); }, "25; 12 shallow or fine", true},
-      {"its share that is noise, %", [](const Json& f) { return value(f, "noise_between"); }, "", true},
+      {"noise of the measurement between, %", [](const Json& f) { return value(f, "noise_between"); }, "", true},
       {"32 bases / many",
        [](const Json& f) {
          return f.contains("any")
@@ -99,17 +99,21 @@ std::vector<Bar> bars() {
 Figure panels(const std::vector<const FitMaterial*>& materials, const std::vector<Json>& all, const char* key,
               const char* unit, double low, double high) {
   constexpr float kWidth = 300, kHeight = 230;
-  Figure figure(static_cast<int>(3 * kWidth), static_cast<int>(2 * kHeight + 24));
+  const float bottom = kHeight * static_cast<float>((all.size() + 2) / 3);
+  Figure figure(static_cast<int>(3 * kWidth), static_cast<int>(bottom) + 24);
   for (size_t i = 0; i < all.size(); ++i) {
     const vec2 corner(kWidth * static_cast<float>(i % 3), kHeight * static_cast<float>(i / 3));
+    // Each panel ends at the SRF's error, the largest but for rounding.
+    const double most = std::ceil(10.5 * value(named(usual(all[i]), "srf"), "between")) / 10;
     const auto at = [&](double x, double y) {
       const double along = std::log(std::clamp(x, low, high) / low) / std::log(high / low);
       return corner +
-             vec2(44 + 240 * static_cast<float>(along), 200 - 165 * static_cast<float>(std::min(y / 0.6, 1.0)));
+             vec2(44 + 240 * static_cast<float>(along), 200 - 165 * static_cast<float>(std::min(y / most, 1.0)));
     };
-    for (int p = 0; p <= 60; p += 20) {
-      figure.line({at(low, p / 100.0), at(high, p / 100.0)}, kGrid);
-      figure.words(at(low, p / 100.0) - vec2(6, 0), fmt::format("{} %", p), 10, Anchor::right);
+    for (int k = 0; k <= 4; ++k) {
+      const double y = most * k / 4;
+      figure.line({at(low, y), at(high, y)}, kGrid);
+      figure.words(at(low, y) - vec2(6, 0), fmt::format("{:.3g} %", 100 * y), 10, Anchor::right);
     }
     for (double x = low; x <= high * 1.001; x *= 4)
       figure.words(at(x, 0) + vec2(0, 14), fmt::format("{:g}", x), 10, Anchor::middle);
@@ -133,15 +137,15 @@ Figure panels(const std::vector<const FitMaterial*>& materials, const std::vecto
     draw(usual(all[i]), "shared", kGreen);
     draw(usual(all[i]), "srf", kRed);
   }
-  const float line = 2 * kHeight + 12;
+  const float line = bottom + 12;
   figure.words({20, line}, fmt::format("relative RMSE between the measured directions, by {}", unit), 11, Anchor::left);
   const std::pair<const char*, vec3> kinds[] = {
       {"functions, mean, 1 to 4 terms", kBlue}, {"shared residual", kGreen}, {"truncated SVD", kGrey}, {"SRF", kRed}};
-  float x = 400;
+  float x = 420;
   for (const auto& [name, colour] : kinds) {
     figure.area({x, line - 4}, vec2(8), colour);
     figure.words({x + 12, line}, name, 11, Anchor::left);
-    x += 40 + 6.2f * static_cast<float>(std::string_view(name).size());
+    x += 30 + 5.4f * static_cast<float>(std::string_view(name).size());
   }
   return figure;
 }
@@ -187,7 +191,7 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     report.row(std::move(cells));
   }
   // Each representation of the usual fit: error measured / between, and MSSIM.
-  heads.front() = "KiB of the first; measured / between, %; MSSIM";
+  heads.front() = "representation, KiB of the first material; measured / between, %; MSSIM";
   report.table(heads);
   for (size_t i = 0; i < usual(all.front()).size(); ++i) {
     const Json& first = usual(all.front())[i];
@@ -205,8 +209,8 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     report.row(std::move(cells));
   }
   for (size_t i = 0; i < all.size(); ++i) report.data()[materials[i]->name] = all[i];
-  return FitCurves{std::move(report), panels(materials, all, "kib", "KiB", 64, 16384),
-                   panels(materials, all, "ns", "nanoseconds of an evaluation on one core", 64, 16384)};
+  return FitCurves{std::move(report), panels(materials, all, "kib", "KiB", 64, 4096),
+                   panels(materials, all, "ns", "nanoseconds of an evaluation on one core", 64, 4096)};
 }
 
 }  // namespace vamp
