@@ -117,8 +117,8 @@ Result<Report> bench_frame(gpu::Device& device, Project project, const FrameBenc
 
   const double all = primary.cpu() + shadow.cpu() + ambient.cpu();
   const double reused = primary.cpu() / SAMPLES_PER_HIT + shadow.cpu() + ambient.cpu();
-  Report report("frame", fmt::format("{}, {} x {}, medians of {} rounds, {}.", options.scene_words, options.side,
-                                     options.side, options.rounds, device.info().name));
+  Report report(options.name, fmt::format("{}, {} x {}, medians of {} rounds, {}.", options.scene_words, options.side,
+                                          options.side, options.rounds, device.info().name));
   report.table({"", "a sample", "of Embree's time"});
   const auto peer = [&](const char* name, const Series& series, size_t count) {
     report.row({std::string("Embree, ") + name, series.text(),

@@ -14,6 +14,7 @@ class Device;
 }
 
 struct FrameBench {
+  std::string name = "frame";  // of the report
   std::string scene_words;
   int rounds = 9;
   int side = 512;  // pixels

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
+#include "bench/shapes.h"
 #include "engine/project/default_project.h"
 #include "engine/project/project_file.h"
 
@@ -21,10 +24,25 @@ std::shared_ptr<const Scene> without_part(const Scene& scene, int part) {
   return rest;
 }
 
+Result<Project> open_any(const std::string& file) {
+  constexpr std::string_view kShapes = "shapes";
+  if (file.empty()) return default_project();
+  if (!file.starts_with(kShapes) || (file.size() > kShapes.size() && file[kShapes.size()] != ':'))
+    return open_scene(file);
+  int triangles = 250000;
+  if (file.size() > kShapes.size()) {
+    const char* const end = file.data() + file.size();
+    const auto [rest, error] = std::from_chars(file.data() + kShapes.size() + 1, end, triangles);
+    if (error != std::errc() || rest != end || triangles < 500 || triangles > 10'000'000)
+      return fail(ErrorKind::usage, "", "shapes:TRIANGLES", "500 to 10000000", "\"" + file + "\"");
+  }
+  return shapes_project(triangles);
+}
+
 }  // namespace
 
 Result<Project> bench_project(const std::string& file, const std::string& without) {
-  VAMP_TRY(Project project, file.empty() ? default_project() : open_scene(file));
+  VAMP_TRY(Project project, open_any(file));
   if (!without.empty()) {
     const int part = project.scene->find_part(without);
     if (part < 0) return fail(ErrorKind::usage, "", "--without", "a part of the scene", "\"" + without + "\"");

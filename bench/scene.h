@@ -7,8 +7,9 @@
 
 namespace vamp {
 
-// A model or project, or the shipped shoe in its leather and cloth where `file` is empty; if `without` is not empty,
-// its part of that name is left out, such as a backdrop that stretches the tree's grid.
+// A model or project; the shipped shoe in its leather and cloth where `file` is empty; "shapes" or "shapes:TRIANGLES",
+// 250,000 unless said, for shapes_project(). If `without` is not empty, the part of that name is left out, such as a
+// backdrop that stretches the tree's grid. The errors of files; of a number or a part that is none, usage.
 Result<Project> bench_project(const std::string& file, const std::string& without = {});
 
 // "the shipped shoe, 242,676 triangles".

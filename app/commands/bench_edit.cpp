@@ -31,7 +31,7 @@ void add_bench_edit(CLI::App& bench, CommonOptions& common, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = add_benchmark(bench, "edit", "What an edit costs until the picture shows it", common, action,
                                  [options, &common] { return run(*options, common); });
-  verb->add_option("scene", options->scene, "Model or project; the shipped shoe if none");
+  verb->add_option("scene", options->scene, "Model or project, or shapes[:TRIANGLES]; the shipped shoe if none");
   verb->add_option("--rounds", options->rounds, "How often each is measured")->type_name("N")->capture_default_str();
   verb->add_option("--samples", options->samples, "Of the picture that is edited")
       ->type_name("N")

@@ -20,6 +20,7 @@ Result<Report> run(const Options& options, const CommonOptions& common) {
   VAMP_TRY(const uint32_t side, count_option(options.side, "--size", 64, 4096));
   VAMP_TRY(Project project, bench_project(options.scene, options.without));
   VAMP_TRY(const auto device, open_device(common));
+  if (!options.scene.empty()) bench.name += " " + options.scene;
   bench.scene_words = scene_words(options.scene, project);
   bench.rounds = static_cast<int>(rounds);
   bench.side = static_cast<int>(side);
@@ -32,7 +33,7 @@ void add_bench_frame(CLI::App& bench, CommonOptions& common, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = add_benchmark(bench, "frame", "What a sample costs, in units of Embree's time for the same rays",
                                  common, action, [options, &common] { return run(*options, common); });
-  verb->add_option("scene", options->scene, "Model or project; the shipped shoe if none");
+  verb->add_option("scene", options->scene, "Model or project, or shapes[:TRIANGLES]; the shipped shoe if none");
   verb->add_option("--without", options->without, "Leave out a part")->type_name("PART");
   verb->add_option("--rounds", options->rounds, "How often each is measured")->type_name("N")->capture_default_str();
   verb->add_option("--size", options->side, "Pixels a side")->type_name("N")->capture_default_str();
