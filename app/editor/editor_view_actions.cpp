@@ -181,13 +181,15 @@ void Editor::add_render_actions() {
                 .menu = "Render",
                 .run = [this] { restart_renderer(); },
                 .enabled = running});
-  actions_.add({.id = "render.snapshot",
-                .label = "Export snapshot…",
-                .menu = "Render",
-                .shortcut = "F12",
-                .run = [this] { snapshot_.open(document_.project(), viewport_width_, viewport_height_); },
-                .enabled = [this] { return files_.ready() && !snapshot_.running(); },
-                .group = 1});
+  actions_.add(
+      {.id = "render.snapshot",
+       .label = "Export snapshot…",
+       .menu = "Render",
+       .shortcut = "F12",
+       .run =
+           [this] { snapshot_.open(document_.project(), viewport_width_, viewport_height_, context_.status.samples); },
+       .enabled = [this] { return files_.ready() && !snapshot_.running(); },
+       .group = 1});
   actions_.add({.id = "render.snapshot_again",
                 .label = "Export snapshot again",
                 .menu = "Render",

@@ -62,8 +62,10 @@ Status make_snapshot(gpu::Device& window_device, const Order& order, Progress& p
 SnapshotDialog::SnapshotDialog(gpu::Device& device, ui::FileDialog& files, JobQueue& jobs)
     : device_(device), files_(files), jobs_(jobs) {}
 
-void SnapshotDialog::open(std::shared_ptr<const Project> project, int viewport_width, int viewport_height) {
+void SnapshotDialog::open(std::shared_ptr<const Project> project, int viewport_width, int viewport_height,
+                          uint32_t viewport_samples) {
   if (running()) return;
+  samples_ = std::max(samples_, static_cast<float>(viewport_samples));
   project_ = std::move(project);
   viewport_width_ = std::max(viewport_width, 1);
   viewport_height_ = std::max(viewport_height, 1);

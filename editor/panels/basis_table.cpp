@@ -19,6 +19,7 @@ namespace vamp::ui {
 namespace {
 
 constexpr float kSmall = 0.01f;  // of the cluster's energy: below it a row is folded away
+constexpr float kMuch = 0.03f;   // from here on a row is shown even if it is a filler
 constexpr size_t kMost = 10;     // rows that are shown unasked
 
 size_t at(int index) { return static_cast<size_t>(index); }
@@ -75,7 +76,8 @@ bool BasisTable::is_folded(const PanelContext& context, size_t place) const {
   const int basis = order_[place];
   const bool small = energy_[at(basis)] < kSmall && fitted_energy_[at(basis)] < kSmall;
   // A fit calls what stands for shadows and masking, not for a layer of the material, "filler".
-  const bool filler = fit_->dictionary[at(basis)].name.starts_with("filler");
+  // It is folded away while it is small: what holds much of the light is pulled, whatever it is called.
+  const bool filler = fit_->dictionary[at(basis)].name.starts_with("filler") && energy_[at(basis)] < kMuch;
   return (small || filler || place >= kMost) && basis != context.selection.basis && !differs(edits_, {cluster_, basis});
 }
 

@@ -26,14 +26,17 @@ void NoiseEstimate::add(uint32_t samples, const std::vector<float>& linear) {
     const double d = static_cast<double>(now[i]) - static_cast<double>(luminance_[i]);
     sum += d * d / (static_cast<double>(now[i]) * static_cast<double>(now[i]) + 0.01);
   }
-  if (comparable) noise_ = static_cast<float>(std::sqrt(sum / static_cast<double>(now.size())));
+  if (comparable) {
+    noise_ = static_cast<float>(std::sqrt(sum / static_cast<double>(now.size())));
+    noise_samples_ = samples;
+  }
   luminance_ = std::move(now);
   samples_ = samples;
 }
 
 float NoiseEstimate::at(uint32_t samples) const {
   if (noise_ < 0 || samples == 0) return -1;
-  return noise_ * std::sqrt(static_cast<float>(samples_) / static_cast<float>(samples));
+  return noise_ * std::sqrt(static_cast<float>(noise_samples_) / static_cast<float>(samples));
 }
 
 }  // namespace vamp

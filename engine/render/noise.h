@@ -22,8 +22,9 @@ class NoiseEstimate {
 
  private:
   std::vector<float> luminance_;
-  uint32_t samples_ = 0;  // that luminance_ was taken at
-  float noise_ = -1;      // at samples_
+  uint32_t samples_ = 0;        // that luminance_ was taken at
+  float noise_ = -1;            // at noise_samples_
+  uint32_t noise_samples_ = 0;  // of the last comparison
 };
 
 }  // namespace vamp
