@@ -63,6 +63,8 @@ Status sample_table(BrdfTable& table, BrdfEngine& engine, TextOutput& output, Pr
     VAMP_TRY(const bool more, table.next(row));
     if (!more) break;
     const auto& n = row.numbers;
+    for (const size_t u : {size_t{3}, size_t{4}})
+      if (!(n[u] >= 0 && n[u] < 1)) return table.refuse(u == 3 ? "u0" : "u1", "0 to below 1", fmt::format("{}", n[u]));
     VAMP_CHECK_STATUS(answers.add(row.text, {row.lobe, vec3(0, 0, 1), vec3(n[0], n[1], n[2]), vec2(n[3], n[4])}));
     progress.fraction(table.fraction());
     if (progress.cancelled()) return JobQueue::cancelled_error();
@@ -141,7 +143,7 @@ void add_brdf_sample(CLI::App& brdf, CommonOptions& common, Action& action) {
   verb->footer(
       "pdf is per steradian, weight is fcos / pdf. Draws that fell below the horizon have valid 0 and count as "
       "samples\n"
-      "of value 0: the mean of weight over valid draws, divided by the number of all draws, is the albedo.");
+      "of value 0: the sum of weight over valid draws, divided by the number of all draws, is the albedo.");
   verb->callback([options, &common, &action] { action = [options, &common] { return sample(*options, common); }; });
 }
 

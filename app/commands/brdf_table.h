@@ -30,6 +30,9 @@ class BrdfTable {
   // How much of the file has been read, 0 to 1; 0 where its size is not known.
   float fraction() const;
 
+  // An error in a column of the row at hand, or in the whole row where `column` is empty.
+  tl::unexpected<Error> refuse(const std::string& column, const std::string& expected, const std::string& found) const;
+
  private:
   struct CloseFile {
     void operator()(std::FILE* file) const {
@@ -42,7 +45,6 @@ class BrdfTable {
   Status split(const std::string& line);
   Status read_lobe(Lobe& lobe) const;
   Result<float> number(size_t column, const std::string& name) const;
-  tl::unexpected<Error> refuse(const std::string& column, const std::string& expected, const std::string& found) const;
 
   std::unique_ptr<std::FILE, CloseFile> file_;
   std::string name_;  // for messages

@@ -1,5 +1,5 @@
 // The models as papers and textbooks write them down: a normalised half vector, pow, exp. What the forms of shaders/brdf
-// are measured against; no picture is made with it. GLSL and C++ like those (shaders/brdf/brdf_common.glsl), the usual
+// are measured against; no picture is made with it but those of `vamp bench shading`. GLSL and C++ like those (shaders/brdf/brdf_common.glsl), the usual
 // forms in float as they stand in renderers: angles only where there is no way round them.
 #ifndef TEXTBOOK_GLSL
 #define TEXTBOOK_GLSL

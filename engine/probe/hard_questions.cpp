@@ -79,8 +79,12 @@ dvec3 light(int kind, const Lobe& lobe, dvec3 wo, Directions& random) {
       return random.at(w.z, turn);
     }
     default: {
-      const LobeSample s = sample_lobe(lobe, wo, random.uniform(), 1 - std::pow(10.0, -12 * random.uniform()));
-      return s.valid && s.wi.z >= kHorizon ? s.wi : mirror;
+      // Out to where the lobe has fallen to 1e-12; nearer to its peak where that lies below the horizon.
+      for (double decades = 12; decades > 0.5; decades *= 0.7) {
+        const LobeSample s = sample_lobe(lobe, wo, random.uniform(), 1 - std::pow(10.0, -decades * random.uniform()));
+        if (s.valid && s.wi.z >= kHorizon) return s.wi;
+      }
+      return random.hemisphere();
     }
   }
 }

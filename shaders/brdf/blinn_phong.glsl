@@ -1,4 +1,4 @@
-// Blinn 1977, "Models of light reflection for computer synthesized pictures": f = ks c(n) (n.h)^n, n in [0, 2e5].
+// Blinn 1977, "Models of light reflection for computer synthesized pictures": f = ks c(n) (n.h)^n, n in [0, 131071].
 // Variants, by c: 0 raw, 1; 1 normalized, exactly albedo 1 at normal incidence and never more
 // (Giesen 2009, "Phong and Blinn-Phong normalization factors"); 2 (n + 2) / 2 pi, the norm of another lobe, up to four
 // times too bright; 3 (n + 8) / 8 pi, albedo up to 1.075 near n = 10.

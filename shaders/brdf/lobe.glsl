@@ -6,7 +6,8 @@
 //     Oren-Nayar are not cut.
 //
 // On a CPU device every branch of a kernel runs for all lanes, so the models differ in selects and factors, not in
-// branches: one 2^x, one logarithm, two divisions (three with Ashikhmin-Shirley). The includer may define LOBE_MODELS,
+// branches: one 2^x, one logarithm, and a division for the exponent, one for the logarithm's argument, one for Fresnel's
+// cosine and one for Ashikhmin-Shirley, of which a scene has those that its models need. The includer may define LOBE_MODELS,
 // a constant or a specialisation constant of LOBE_* bits: code that no bit asks for is removed, and what remains gives
 // the same bits. pack_lobe (engine/brdf/pack.cpp) makes `tag` and `k`:
 //
