@@ -1,7 +1,6 @@
 #include "bench/edits.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <map>
@@ -10,6 +9,7 @@
 #include <thread>
 
 #include "bench/changes.h"
+#include "bench/temporary_folder.h"
 #include "engine/acquire/acquire.h"
 #include "engine/acquire/structure.h"
 #include "engine/core/hash.h"
@@ -33,24 +33,10 @@ Result<std::unique_ptr<acquire::Structure>> structure_of(const Change& change, c
   return structure;
 }
 
-// The folder of acquisitions; a temporary one goes with this.
+// Measurements of materials, kept in a folder.
 class Acquisitions {
  public:
-  explicit Acquisitions(const EditsBench& bench) : bench_(bench), folder_(bench.cache) {
-    std::error_code code;
-    if (folder_.empty()) {
-      std::string name = (fs::temp_directory_path() / "vamp-edits-XXXXXX").string();
-      if (::mkdtemp(name.data()) != nullptr) folder_ = temporary_ = name;
-    } else {
-      fs::create_directories(folder_, code);
-    }
-  }
-  ~Acquisitions() {
-    std::error_code code;
-    if (!temporary_.empty()) fs::remove_all(temporary_, code);
-  }
-  Acquisitions(const Acquisitions&) = delete;
-  Acquisitions& operator=(const Acquisitions&) = delete;
+  Acquisitions(const EditsBench& bench, fs::path folder) : bench_(bench), folder_(std::move(folder)) {}
 
   Result<Btf> get(const Change& change, const MesoSettings& settings, uint64_t seed, Progress& progress) const {
     VAMP_TRY(const auto structure, structure_of(change, settings));
@@ -79,7 +65,7 @@ class Acquisitions {
 
  private:
   const EditsBench& bench_;
-  fs::path folder_, temporary_;
+  fs::path folder_;
 };
 
 Result<SpmmPtr> fit_of(const Btf& btf, const EditsBench& bench, Progress& progress) {
@@ -158,7 +144,16 @@ std::string percent(double error) { return fmt::format("{:.1f}", 100 * error); }
 }  // namespace
 
 Result<Report> bench_edits(const EditsBench& bench, Progress& progress) {
-  const Acquisitions acquisitions(bench);
+  std::optional<TemporaryFolder> temporary;
+  fs::path folder = bench.cache;
+  if (folder.empty()) {
+    VAMP_TRY(temporary, TemporaryFolder::make());
+    folder = temporary->path();
+  }
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code) return fail(ErrorKind::io, folder.string(), "", "a folder for acquisitions", code.message());
+  const Acquisitions acquisitions(bench, folder);
   Report report("edits",
                 fmt::format("{} x {} texels, 81 x 81 directions, {} paths a texel and view, fits with {} clusters; "
                             "relative RMSE in % against an acquisition of the changed material that no fit has seen, "

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <cstring>
 #include <thread>
 
 #include "bench/measured.h"
+#include "bench/temporary_folder.h"
 #include "engine/brdf/registry.h"
 #include "engine/btf/sparse_btf.h"
 #include "engine/core/progress.h"
@@ -25,14 +25,9 @@ struct RoundTrip {
 };
 
 Result<RoundTrip> through_a_file(const FactoredBtf& factors) {
-  std::string name = (std::filesystem::temp_directory_path() / "vamp-measured-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) return fail(ErrorKind::io, name, "", "a temporary folder");
-  const std::filesystem::path folder = name;
-  const Status written = write_factored_btf(folder / "a.btf", factors);
-  const Result<FactoredBtf> read = written ? read_factored_btf(folder / "a.btf") : tl::unexpected(written.error());
-  std::error_code code;
-  std::filesystem::remove_all(folder, code);
-  if (!read) return tl::unexpected(read.error());
+  VAMP_TRY(const TemporaryFolder folder, TemporaryFolder::make());
+  VAMP_CHECK_STATUS(write_factored_btf(folder.path() / "a.btf", factors));
+  VAMP_TRY(const FactoredBtf read, read_factored_btf(folder.path() / "a.btf"));
   RoundTrip trip;
   const auto compare = [&](const std::vector<float>& a, const std::vector<float>& b) {
     trip.floats += a.size();
@@ -40,9 +35,9 @@ Result<RoundTrip> through_a_file(const FactoredBtf& factors) {
       trip.changed += i >= b.size() || std::memcmp(&a[i], &b[i], sizeof(float)) != 0 ? 1u : 0u;
   };
   for (size_t c = 0; c < factors.factors.size(); ++c) {
-    compare(factors.factors[c].s, read->factors[c].s);
-    compare(factors.factors[c].u, read->factors[c].u);
-    compare(factors.factors[c].sxv, read->factors[c].sxv);
+    compare(factors.factors[c].s, read.factors[c].s);
+    compare(factors.factors[c].u, read.factors[c].u);
+    compare(factors.factors[c].sxv, read.factors[c].sxv);
   }
   return trip;
 }
