@@ -5,7 +5,7 @@
 #include "bench/forms_shared.h"
 #include "engine/core/clock.h"
 #include "engine/gpu/device.h"
-#include "shaders/shared/probe.h"
+#include "engine/probe/question_row.h"
 #include "shaders/spirv.h"
 
 namespace vamp {
@@ -39,27 +39,7 @@ struct FormProbe::State {
       answers = gpu::TypedBuffer<Answer>(*device, "answers", all.size());
     }
     std::vector<Question> rows;
-    for (const BrdfQuestion& q : all) {
-      const auto& p = q.lobe.params;
-      const PackedLobe packed = pack_lobe(q.lobe);
-      rows.push_back({.wi = q.wi,
-                      .model = static_cast<uint32_t>(q.lobe.model),
-                      .wo = q.wo,
-                      .variant = q.lobe.variant,
-                      .p0 = p[0],
-                      .p1 = p[1],
-                      .p2 = p[2],
-                      .p3 = p[3],
-                      .p4 = p[4],
-                      .p5 = p[5],
-                      .u0 = 0,
-                      .u1 = 0,
-                      .k0 = packed.k[0],
-                      .k1 = packed.k[1],
-                      .k2 = packed.k[2],
-                      .k3 = packed.k[3],
-                      .tag = packed.tag});
-    }
+    for (const BrdfQuestion& q : all) rows.push_back(probe::question_row(q, true));
     device->upload_rows(questions, 0, rows);
     return {*device, kernel, {{BINDING_QUESTIONS, questions}, {BINDING_ANSWERS, answers}}};
   }

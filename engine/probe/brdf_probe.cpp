@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/gpu/device.h"
+#include "engine/probe/question_row.h"
 #include "shaders/shared/probe.h"
 #include "shaders/spirv.h"
 
@@ -17,31 +18,6 @@ namespace {
 
 // Questions of one dispatch: large enough to fill a device, small enough for a few megabytes.
 constexpr size_t kBatch = 1 << 16;
-
-Question question_row(const BrdfQuestion& q, uint32_t work) {
-  const auto& p = q.lobe.params;
-  Question row{.wi = q.wi,
-               .model = static_cast<uint32_t>(q.lobe.model),
-               .wo = q.wo,
-               .variant = q.lobe.variant,
-               .p0 = p[0],
-               .p1 = p[1],
-               .p2 = p[2],
-               .p3 = p[3],
-               .p4 = p[4],
-               .p5 = p[5],
-               .u0 = q.u.x,
-               .u1 = q.u.y};
-  if (work == PROBE_LOBE) {
-    const PackedLobe packed = pack_lobe(q.lobe);
-    row.k0 = packed.k[0];
-    row.k1 = packed.k[1];
-    row.k2 = packed.k[2];
-    row.k3 = packed.k[3];
-    row.tag = packed.tag;
-  }
-  return row;
-}
 
 }  // namespace
 
@@ -75,7 +51,7 @@ struct BrdfProbe::State {
         answers = gpu::TypedBuffer<Answer>(*device, "brdf answers", batch.size());
       }
       rows.clear();
-      for (const BrdfQuestion& q : batch) rows.push_back(question_row(q, work));
+      for (const BrdfQuestion& q : batch) rows.push_back(probe::question_row(q, work == PROBE_LOBE));
       device->upload_rows(questions, 0, rows);
       const gpu::DescriptorSet set(*device, kernel, {{BINDING_QUESTIONS, questions}, {BINDING_ANSWERS, answers}});
       gpu::CommandList list = device->begin("brdf probe");
