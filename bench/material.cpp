@@ -72,4 +72,13 @@ SpmmPtr bench_material(const BenchMaterial& what) {
   return fit;
 }
 
+void dress(Project& project, const BenchMaterial& what) {
+  MaterialInstance material;
+  material.name = "bench";
+  material.preset = "made in memory";
+  material.fit = bench_material(what);
+  project.materials = {material};
+  for (PartState& part : project.parts) part.material = 0;
+}
+
 }  // namespace vamp

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/material/spmm.h"
+#include "engine/project/project.h"
 
 namespace vamp {
 
@@ -17,5 +18,8 @@ struct BenchMaterial {
 // 256 x 256 texels in cells of 8 x 8 of one cluster, 32 clusters, 32 functions with tilted frames; any model and weight
 // anywhere, the same for the same members.
 SpmmPtr bench_material(const BenchMaterial& what);
+
+// Puts it on every part of the project, in the place of all materials.
+void dress(Project& project, const BenchMaterial& what);
 
 }  // namespace vamp

@@ -25,14 +25,10 @@ class Way {
   Way(gpu::Device& device, Project project, const BenchMaterial& what, int terms, int side,
       std::span<const uint32_t> kernel)
       : device_(device), project_(std::move(project)), renderer_(device, kernel) {
-    MaterialInstance material;
-    material.name = "bench";
-    material.preset = "made in memory";
-    material.fit = bench_material(what);
-    material.edits.residual_terms = terms;
-    material.edits.residual_policy = ResidualPolicy::keep;  // else each edit weighs its function anew
-    project_.materials = {material};
-    for (PartState& part : project_.parts) part.material = 0;
+    dress(project_, what);
+    EditLayer& edits = project_.materials[0].edits;
+    edits.residual_terms = terms;
+    edits.residual_policy = ResidualPolicy::keep;  // else each edit weighs its function anew
     const uint64_t pixels = static_cast<uint64_t>(side) * static_cast<uint64_t>(side);
     renderer_.set_history(pixels * 8 * (kSamples / SAMPLES_PER_HIT));
     ready_ = begin();

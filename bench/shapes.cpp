@@ -68,11 +68,7 @@ Project shapes_project(int triangles) {
   finish_scene(*scene);
 
   Project project = make_project(scene, "shapes");
-  MaterialInstance material;
-  material.name = "bench";
-  material.preset = "made in memory";
-  material.fit = bench_material({.used = {Model::lambert, Model::blinn_phong, Model::ward, Model::cook_torrance}});
-  project.materials = {material};
+  dress(project, {.used = {Model::lambert, Model::blinn_phong, Model::ward, Model::cook_torrance}});
   project.camera.eye = vec3(0, 2.4f, 4.2f);
   project.camera.target = vec3(0, 0.3f, 0);
   project.camera.fov_degrees = 40;

@@ -24,7 +24,7 @@ bool soon(Holds holds) {
   return false;
 }
 
-TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
+Project box_under_a_light() {
   SceneBuilder scene;
   scene.add_box("box", vec3(-0.5f), vec3(0.5f));
   Project project = dark_project(scene.build());
@@ -33,6 +33,11 @@ TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
   light.center = vec3(0, 3, 3);
   light.power = 10;
   project.lights = {light};
+  return project;
+}
+
+TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
+  Project project = box_under_a_light();
   RenderSession session(*device, std::make_shared<const Project>(project), 32, 24);
   Ids ids;
   ASSERT_TRUE(soon([&] { return ids.update(session); }));
@@ -60,14 +65,7 @@ TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
 }
 
 TEST_F(RenderTest, SaysThatNoPixelRestartedWhereSumsAreWeighedAnew) {
-  SceneBuilder scene;
-  scene.add_box("box", vec3(-0.5f), vec3(0.5f));
-  Project project = dark_project(scene.build());
-  project.camera = {.eye = vec3(0, 1, 3), .target = vec3(0)};
-  Light light;
-  light.center = vec3(0, 3, 3);
-  light.power = 10;
-  project.lights = {light};
+  Project project = box_under_a_light();
   project.settings.max_samples = 2;
   RenderSession session(*device, std::make_shared<const Project>(project), 32, 24);
   ASSERT_TRUE(soon([&] { return session.status().finished; }));
