@@ -51,6 +51,14 @@ Result<Project> bench_project(const std::string& file, const std::string& withou
   return project;
 }
 
+Status keep_one_light(Project& project) {
+  if (project.lights.empty()) return fail(ErrorKind::bad_input, "", "lights", "at least one", "none");
+  project.lights.resize(1);
+  if (project.ambient == vec3(0)) project.ambient = vec3(0.2f);
+  if (project.settings.ao_radius == 0) project.settings.ao_radius = project.scene->bounds.radius() * 0.2f;
+  return {};
+}
+
 std::string scene_words(const std::string& file, const Project& project) {
   return fmt::format("{}, {} triangles", file.empty() ? "the shipped shoe" : file,
                      fmt::group_digits(project.scene->triangles.size()));

@@ -12,6 +12,10 @@ namespace vamp {
 // backdrop that stretches the tree's grid. The errors of files; of a number or a part that is none, usage.
 Result<Project> bench_project(const std::string& file, const std::string& without = {});
 
+// Keeps the first light, and gives ambient light and a radius for it where there is none: one primary, one shadow and
+// one ambient ray a sample. Errors: no light.
+Status keep_one_light(Project& project);
+
 // "the shipped shoe, 242,676 triangles".
 std::string scene_words(const std::string& file, const Project& project);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bench/material.h"
+#include "bench/scene.h"
 #include "bench/series.h"
 #include "engine/brdf/registry.h"
 #include "engine/gpu/device.h"
@@ -145,10 +146,7 @@ class Bench {
 }  // namespace
 
 Result<Report> bench_shading(gpu::Device& device, Project project, const ShadingBench& options) {
-  if (project.lights.empty()) return fail(ErrorKind::bad_input, "", "lights", "at least one", "none");
-  project.lights.resize(1);
-  if (project.ambient == vec3(0)) project.ambient = vec3(0.2f);
-  if (project.settings.ao_radius == 0) project.settings.ao_radius = project.scene->bounds.radius() * 0.2f;
+  VAMP_CHECK_STATUS(keep_one_light(project));
   Report report("shading",
                 fmt::format("{}, {} x {}, one light and ambient, a material of 32 clusters and six functions "
                             "a texel on every part, medians of {} alternating rounds, {}.",

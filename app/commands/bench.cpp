@@ -35,7 +35,9 @@ void add_bench(CLI::App& app, CommonOptions& common, Action& action) {
   add_bench_frame(*verb, common, action);
   add_bench_measured(*verb, common, action);
   add_bench_mixture(*verb, common, action);
+  add_bench_rays(*verb, common, action);
   add_bench_shading(*verb, common, action);
+  add_bench_triangles(*verb, common, action);
 }
 
 }  // namespace vamp

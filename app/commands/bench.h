@@ -14,7 +14,9 @@ void add_bench_fit(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_frame(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_measured(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_mixture(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_rays(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_shading(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_triangles(CLI::App& bench, CommonOptions& common, Action& action);
 
 // Adds a benchmark's verb with --json and --into; `run` makes the report when the command line is read.
 CLI::App* add_benchmark(CLI::App& bench, const char* name, const char* what, CommonOptions& common, Action& action,

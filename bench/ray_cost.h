@@ -1,0 +1,43 @@
+#pragma once
+// The program's rays beside Embree's: the very same ones, in alternating rounds.
+#include <array>
+#include <memory>
+
+#include "bench/ray_kernel.h"
+#include "engine/core/json.h"
+
+namespace vamp {
+
+class RayCost {
+ public:
+  // Shadow and ambient rays are two from each hit. The project needs a light. Errors: a scene too large for the device.
+  static Result<std::unique_ptr<RayCost>> make(gpu::Device& device, const Project& project, int side);
+
+  void round();
+
+  struct Kind {
+    const char* name;
+    std::vector<ReadyRay> rays;
+    RayKernel kernel;
+    size_t otherwise = 0;  // rays of which Embree says something else: hit or not, or 1e-4 nearer or farther
+    Series ours, embree;
+
+    // Of Embree's speed.
+    double ratio() const { return embree.cpu() / ours.cpu(); }
+    double million_a_second(const Series& series) const {
+      return static_cast<double>(rays.size()) / series.cpu() * 1e-3;
+    }
+    Json json() const;
+  };
+  const std::vector<Kind>& kinds() const { return kinds_; }  // primary, shadow, ambient
+
+ private:
+  RayCost(const Scene& scene, GpuTree tree)
+      : embree_(scene.positions, scene.triangles, EmbreeScene::Edges::fast), tree_(std::move(tree)) {}
+
+  EmbreeScene embree_;
+  GpuTree tree_;
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace vamp

@@ -1,0 +1,38 @@
+#pragma once
+// The program's traversal on rays that are ready, as a kernel of its own.
+#include <memory>
+#include <vector>
+
+#include "bench/ready_rays.h"
+#include "engine/render/gpu_scene.h"
+
+namespace vamp {
+
+// A scene's tree on the device.
+struct GpuTree {
+  // Errors: a scene too large for the device.
+  static Result<GpuTree> make(gpu::Device& device, const Scene& scene);
+  GpuScene tables;
+  bool storage_fetch = false;  // as the renderer fetches
+};
+
+class RayKernel {
+ public:
+  // RayQuestion::any: an even number of rays, of which each two begin at one point. The tree must outlive this.
+  RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion question, std::span<const ReadyRay> rays);
+
+  Times run();
+  // For each ray the nearest hit's distance, or 1 where nothing is in the way; else -1. After run().
+  std::vector<float> found() const;
+
+ private:
+  gpu::Device* device_;
+  uint32_t invocations_;
+  gpu::TypedBuffer<ReadyRay> rays_;
+  gpu::TexelView rays_view_;
+  gpu::TypedBuffer<float> found_;
+  gpu::ComputePipeline pipeline_;
+  gpu::DescriptorSet set_;
+};
+
+}  // namespace vamp

@@ -1,0 +1,28 @@
+#pragma once
+// What a sample of a picture costs, as it is refined for the screen.
+#include "bench/series.h"
+#include "engine/project/project.h"
+#include "engine/render/renderer.h"
+
+namespace vamp {
+
+class SampleCost {
+ public:
+  // A square picture of `side` pixels; compiles the kernels. Throws MachineError.
+  static Result<std::unique_ptr<SampleCost>> make(gpu::Device& device, Project project, int side);
+
+  // Once: a sample with a primary ray of its own, and one of four that share a primary ray and a dispatch.
+  Status round();
+
+  Series single, batch;
+
+ private:
+  SampleCost(gpu::Device& device, Project project) : device_(device), project_(std::move(project)), renderer_(device) {}
+  Status begin();
+
+  gpu::Device& device_;
+  Project project_;
+  Renderer renderer_;
+};
+
+}  // namespace vamp
