@@ -14,6 +14,8 @@ const char* name_of(Pass pass) {
       return "shade";
     case Pass::composite:
       return "composite";
+    case Pass::recombine:
+      return "recombine";
     case Pass::aov:
       return "aov";
     case Pass::occlusion:
@@ -30,6 +32,8 @@ std::span<const uint32_t> words_of(Pass pass) {
       return spirv::shade_comp();
     case Pass::composite:
       return spirv::composite_comp();
+    case Pass::recombine:
+      return spirv::recombine_comp();
     case Pass::aov:
       return spirv::aov_comp();
     case Pass::occlusion:
@@ -49,12 +53,14 @@ KernelKey reduced(Pass pass, const KernelKey& key) {
     r.lobe_models = none.lobe_models;
     r.four_taps = none.four_taps;
   }
-  if (pass == Pass::composite || pass == Pass::aov || pass == Pass::occlusion) {
+  const bool shows = pass == Pass::composite || pass == Pass::recombine;
+  if (shows || pass == Pass::aov || pass == Pass::occlusion) {
     r = none;
     r.samples = pass == Pass::occlusion ? key.samples : 1;
-    r.ambient = pass != Pass::composite || key.ambient;
-    r.alpha_mask = pass != Pass::composite && key.alpha_mask;
-    r.storage_fetch = pass != Pass::composite && key.storage_fetch;
+    r.ambient = !shows || key.ambient;
+    r.list = pass == Pass::recombine;
+    r.alpha_mask = !shows && key.alpha_mask;
+    r.storage_fetch = !shows && key.storage_fetch;
     r.pixel_centres = pass == Pass::aov || (pass == Pass::occlusion && key.pixel_centres);
   }
   return r;
@@ -92,6 +98,7 @@ const std::vector<gpu::Binding>& kernel_bindings() {
       {BINDING_BOXES_STORAGE, storage_buffer},
       {BINDING_LIST, storage_buffer},
       {BINDING_SEEN, storage_texel},
+      {BINDING_WHOLE, storage_texel},
   };
   return bindings;
 }

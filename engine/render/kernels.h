@@ -12,7 +12,7 @@
 
 namespace vamp {
 
-enum class Pass { trace, shade, composite, aov, occlusion };
+enum class Pass { trace, shade, composite, recombine, aov, occlusion };
 
 // Values of the SPEC_* constants (shaders/shared/frame.h).
 struct KernelKey {

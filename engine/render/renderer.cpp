@@ -86,7 +86,7 @@ void Renderer::make_picture() {
   display_ = gpu::TypedBuffer<uint32_t>(*device_, "display", pixels);
 }
 
-void Renderer::make_descriptor_set() {
+std::vector<gpu::Bound> Renderer::bound_tables() const {
   std::vector<gpu::Bound> bound;
   gpu_.bind(*device_, bound);
   bound.insert(bound.end(), {{BINDING_HITS, hits_view_},
@@ -95,8 +95,14 @@ void Renderer::make_descriptor_set() {
                              {BINDING_DISPLAY, display_},
                              {BINDING_AOV, aov_view_},
                              {BINDING_LIST, list_},
-                             {BINDING_SEEN, seen_view_}});
-  set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound);
+                             {BINDING_SEEN, seen_view_},
+                             {BINDING_WHOLE, accumulators_view_}});
+  return bound;
+}
+
+void Renderer::make_descriptor_set() {
+  weights_.reset();
+  set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound_tables());
 }
 
 uint32_t Renderer::samples() const {
@@ -111,7 +117,8 @@ uint32_t Renderer::next_batch(uint32_t samples, uint32_t limit) const {
   return whole_hit ? SAMPLES_PER_HIT : 1;
 }
 
-uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch) {
+uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch,
+                                const gpu::DescriptorSet& set) {
   if (batch == 0) return device_->last_submitted();
   KernelKey key = key_;
   key.samples = batch;
@@ -119,7 +126,7 @@ uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels
   key.list = list_of_pixels;
   gpu::CommandList list = device_->begin("refine");
   const auto dispatch = [&](Pass pass) {
-    list.bind(kernels_.get(pass, key), set_);
+    list.bind(kernels_.get(pass, key), set);
     list.push(push);
     if (list_of_pixels)
       list.dispatch(std::max((push.width + GROUP_SIZE - 1) / GROUP_SIZE, 1u));
@@ -132,6 +139,21 @@ uint64_t Renderer::submit_batch(const frame::TilePush& push, bool list_of_pixels
   }
   dispatch(Pass::shade);
   return device_->submit(std::move(list));
+}
+
+std::vector<uint32_t> Renderer::pixels_that_see(uint32_t clusters, const std::vector<bool>& wanted) const {
+  const std::vector<uint32_t> seen =
+      device_->readback_rows<uint32_t>(seen_, 0, display_.count(), device_->last_submitted());
+  std::vector<uint32_t> list;
+  for (size_t t = 0; t < tiles_.size(); ++t) {
+    if (!wanted[t] || samples_[t] == 0) continue;
+    for (int y = tiles_[t].y; y < tiles_[t].y + tiles_[t].height; ++y)
+      for (int x = tiles_[t].x; x < tiles_[t].x + tiles_[t].width; ++x) {
+        const auto pixel = static_cast<uint32_t>(y * region_.width + x);
+        if ((seen[pixel] & clusters) != 0) list.push_back(pixel);
+      }
+  }
+  return list;
 }
 
 void Renderer::begin_replay(uint32_t touched, Change& change) {
@@ -171,8 +193,7 @@ uint64_t Renderer::replay(uint32_t most) {
   push.height = 1;
   push.sample_base = done;
   push.stride = 1;
-  const bool stored = done / SAMPLES_PER_HIT + 1 < history_;
-  const uint64_t value = submit_batch(push, true, !stored, batch);
+  const uint64_t value = submit_batch(push, true, !hit_is_stored(done), batch, set_);
   replay_at_ += push.width;
   if (replay_at_ == step.pixels) {
     replay_at_ = 0;
@@ -187,8 +208,8 @@ uint64_t Renderer::prepare_replay() {
   frame::TilePush push{};
   push.height = 1;
   push.stride = 1;
-  uint64_t value = submit_batch(push, true, false, 1);
-  if (batches_fit()) value = submit_batch(push, true, false, SAMPLES_PER_HIT);
+  uint64_t value = submit_batch(push, true, false, 1, set_);
+  if (batches_fit()) value = submit_batch(push, true, false, SAMPLES_PER_HIT, set_);
   return value;
 }
 
@@ -198,14 +219,14 @@ uint64_t Renderer::refine(int tile, uint32_t limit) {
   CHECK(!replaying());
   uint32_t& done = samples_[static_cast<size_t>(tile)];
   const uint32_t batch = next_batch(done, limit);
-  const uint64_t value = submit_batch(push_of(tiles_[static_cast<size_t>(tile)], done), false, true, batch);
+  const uint64_t value = submit_batch(push_of(tiles_[static_cast<size_t>(tile)], done), false, true, batch, set_);
   done += batch;
   return value;
 }
 
 uint64_t Renderer::preview(uint32_t stride) {
   CHECK(stride > 0 && !replaying() && *std::max_element(samples_.begin(), samples_.end()) == 0);
-  return submit_batch(push_of({0, 0, region_.width, region_.height}, 0, stride), false, true, 1);
+  return submit_batch(push_of({0, 0, region_.width, region_.height}, 0, stride), false, true, 1, set_);
 }
 
 uint64_t Renderer::refine_all(uint32_t limit) {
@@ -213,7 +234,7 @@ uint64_t Renderer::refine_all(uint32_t limit) {
   const uint32_t done = samples_.front();
   CHECK(std::all_of(samples_.begin(), samples_.end(), [&](uint32_t s) { return s == done; }));
   const uint32_t batch = next_batch(done, limit);
-  const uint64_t value = submit_batch(push_of({0, 0, region_.width, region_.height}, done), false, true, batch);
+  const uint64_t value = submit_batch(push_of({0, 0, region_.width, region_.height}, done), false, true, batch, set_);
   std::fill(samples_.begin(), samples_.end(), done + batch);
   return value;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "engine/render/material_tables.h"
 #include "engine/render/replay.h"
 #include "engine/render/scene_tables.h"
+#include "engine/render/weight_sums.h"
 
 namespace vamp {
 
@@ -24,9 +26,10 @@ struct Region {
 
 // What taking over a project came to.
 struct Change {
-  bool restarted = false;     // the accumulators start again
-  uint64_t reshaded = 0;      // else so many pixels are shaded again from what was traced; see replay()
-  bool recomposed = false;    // only what is linear in them, or the display, changed
+  bool restarted = false;   // the accumulators start again
+  uint64_t reshaded = 0;    // else so many pixels are shaded again from what was traced; see replay()
+  uint64_t recombined = 0;  // else so many were made anew from sums that were at hand; shown by what was submitted last
+  bool recomposed = false;  // only what is linear in them, or the display, changed
   bool places_moved = false;  // what a pixel shows may lie in another cluster or part now
   std::string what;           // "camera", "light moved", "material edited": the first reason
   uint64_t bytes = 0;         // sent to the device
@@ -81,6 +84,17 @@ class Renderer {
   // Whether replay() is between two batches: every pixel of the list has the same number of samples.
   bool replay_pass_complete() const { return replay_at_ == 0; }
 
+  // The group whose weights may be pulled next, or none. Once its sums are gathered, an edit of its gains, mutes
+  // included, is answered by set_project() from them: the whole picture keeps its samples. Sums are gathered from
+  // stored hits like those of a replay, between other work: gather_weights() submits the next part, of at most `most`
+  // pixels.
+  void set_weights_at_hand(const WeightGroup& group);
+  bool wants_weights() const;
+  uint64_t gather_weights(uint32_t most);
+  // Whether an edit of all channels alike, and of each channel by itself, would be answered so now.
+  bool weights_ready() const;
+  bool tints_ready() const;
+
   // Shows all tiles again from their accumulators.
   uint64_t recompose();
 
@@ -110,8 +124,21 @@ class Renderer {
 
  private:
   Result<Change> take_project(std::shared_ptr<const Project> next);
-  uint64_t submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch);
+  uint64_t submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch,
+                        const gpu::DescriptorSet& set);
   void begin_replay(uint32_t touched, Change& change);
+  // Pixels of the wanted tiles that have seen one of these clusters, tile by tile.
+  std::vector<uint32_t> pixels_that_see(uint32_t clusters, const std::vector<bool>& tiles) const;
+  bool hit_is_stored(uint32_t sample) const { return sample / SAMPLES_PER_HIT + 1 < history_; }
+  void make_weight_sums();
+  std::optional<WeightSums::Step> next_weight_step() const;
+  void begin_weight_step();
+  void send_weight_list(const std::vector<bool>& tiles);
+  // Whether the tables are where weights at hand, of this material, can be pulled to.
+  bool holds_weights_of(size_t material) const;
+  std::optional<std::vector<double>> steps_of_weights();
+  void recombine(const std::vector<double>& steps, Change& change);
+  std::vector<gpu::Bound> bound_tables() const;
   bool batches_fit() const;
   vec3 plane_emission(uint32_t plane) const;
   void make_picture();
@@ -144,6 +171,9 @@ class Renderer {
   gpu::TypedBuffer<vec4> accumulators_, aov_;
   gpu::TexelView hits_view_, visibility_view_, seen_view_, accumulators_view_, aov_view_;
   gpu::DescriptorSet set_;
+
+  WeightGroup at_hand_;
+  std::optional<WeightSums> weights_;
 };
 
 }  // namespace vamp

@@ -79,9 +79,13 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   bool new_tables = false;
   // Clusters of which the light that they send to the viewer changed, as bits; no ray moved.
   uint32_t touched = 0;
+  // Whether only weights at hand were edited, and how far along each of their directions, if the sums are there.
+  bool weights_alone = false;
+  std::optional<std::vector<double>> steps;
   const auto reshade = [&](uint32_t seen, const char* why) {
     if (change.what.empty()) change.what = why;
     touched |= seen;
+    weights_alone = false;
   };
   if (geometry_differs(now)) {
     scene_tables_ = std::make_shared<SceneTables>(build_scene_tables(*now.scene, visible_parts(now)));
@@ -121,7 +125,11 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
         for (uint32_t row = first; row < first + count; ++row) seen |= seen_bit(i, (row - place.basis) / bases);
       for (const auto& [first, count] : rows.clusters)
         for (uint32_t row = first; row < first + count; ++row) seen |= seen_bit(i, row - place.cluster);
-      if (seen != 0) reshade(seen, "material edited");
+      if (seen == 0) continue;
+      const bool first = touched == 0 && !change.restarted;
+      reshade(seen, "material edited");
+      weights_alone = first && holds_weights_of(i);
+      if (weights_alone) steps = steps_of_weights();
     }
   }
   const std::vector<frame::PartRow> rows = vamp::part_rows(now, *scene_tables_, material_tables_);
@@ -218,8 +226,18 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   if (change.restarted) {
     std::fill(samples_.begin(), samples_.end(), 0u);
     replay_.clear();
+    weights_.reset();
   } else if (touched != 0 && region_.width > 0) {
-    begin_replay(touched, change);
+    if (weights_alone && steps) {
+      recombine(*steps, change);
+    } else {
+      // Their sums stay good, but count from the picture as it will be.
+      if (weights_alone)
+        weights_->start_from(material_tables_);
+      else
+        weights_.reset();
+      begin_replay(touched, change);
+    }
   }
   if (!change.restarted && std::memcmp(&before, &params_, sizeof(before)) != 0) change.recomposed = true;
   return change;

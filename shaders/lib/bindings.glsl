@@ -54,6 +54,8 @@ layout(binding = BINDING_AOV, rgba32f) uniform imageBuffer aov;               //
 layout(scalar, binding = BINDING_LIST) readonly buffer ListBlock { uint list[]; };  // pixels of the region
 layout(binding = BINDING_SEEN, r32ui) uniform uimageBuffer seen;              // [2][pixel]: clusters as bits; samples
 
+layout(binding = BINDING_WHOLE, rgba32f) uniform imageBuffer whole;           // the picture's accumulators, where those above are not
+
 layout(push_constant, scalar) uniform PushBlock { TilePush tile; };
 
 const float PI = 3.14159265358979323846;

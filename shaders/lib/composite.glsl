@@ -15,3 +15,12 @@ uint display_pixel(vec3 radiance) {
   if (params.tone_map == TONE_CURVE_NEUTRAL) c = tone_neutral(c);
   return packUnorm4x8(vec4(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z), 1.0));
 }
+
+// sum - rest grows by `value`, all but exactly (Kahan 1965).
+void add_compensated(inout vec4 sum, inout vec4 rest, vec4 value) {
+  precise vec4 y = value - rest;
+  precise vec4 t = sum + y;
+  precise vec4 lost = (t - sum) - y;
+  rest = lost;
+  sum = t;
+}

@@ -92,8 +92,11 @@ void main() {
 
   uint pixels = region_pixels();
   uint count = tile.sample_base + SAMPLES;
-  imageStore(seen, int(index), uvec4(clusters));
-  imageStore(seen, int(pixels + index), uvec4(count));
+  bool shown_to_someone = tile.weights_alone == 0u;
+  if (shown_to_someone) {
+    imageStore(seen, int(index), uvec4(clusters));
+    imageStore(seen, int(pixels + index), uvec4(count));
+  }
 
   // Compensated sums, a sample at a time, so that any batching gives the same bits.
   float mean = 1.0 / float(count);
@@ -109,13 +112,9 @@ void main() {
       vec4 c = direct;
       if (plane > PLANE_DIRECT) {
         c = vec4(light[k * RAY_COUNT + plane - PLANE_LIGHTS], 0.0);
-        if (MIRROR && int(plane - PLANE_LIGHTS) == reflected_light) c.rgb += vec3(fresnel);
+        if (MIRROR && shown_to_someone && int(plane - PLANE_LIGHTS) == reflected_light) c.rgb += vec3(fresnel);
       }
-      precise vec4 y = c - rest;
-      precise vec4 t = sum + y;
-      precise vec4 lost = (t - sum) - y;
-      rest = lost;
-      sum = t;
+      add_compensated(sum, rest, c);
     }
     imageStore(accumulators, at, sum);
     imageStore(accumulators, at + int(pixels), rest);
@@ -124,7 +123,7 @@ void main() {
   }
   uint shown = display_pixel(radiance);
   uvec2 end = min(uvec2(tile.stride), uvec2(tile.x + tile.width, tile.y + tile.height) - pixel);
-  if (LIST) end = uvec2(1u);
+  if (LIST) end = uvec2(shown_to_someone ? 1u : 0u);
   for (uint y = 0u; y < end.y; ++y)
     for (uint x = 0u; x < end.x; ++x) display[index + y * params.region_width + x] = shown;
 }

@@ -33,6 +33,7 @@ using uint = std::uint32_t;
 #define BINDING_BOXES_STORAGE 24
 #define BINDING_LIST 25
 #define BINDING_SEEN 26
+#define BINDING_WHOLE 27
 
 // What a kernel is specialised for (constant_id): the scene pays only for what it uses.
 #define SPEC_SAMPLES 0             // samples in one dispatch: 1 or 4
@@ -131,6 +132,8 @@ struct TilePush {
   uint width, height;       // of the tile; with SPEC_LIST: number of entries, 1
   uint sample_base;         // first sample of this dispatch
   uint stride;              // 1, or every stride-th pixel of every stride-th row, shown as a block
+  uint weights_alone;       // 1: what the tables' functions reflect, into sums that nobody sees (WeightSums)
+  float step;               // of the recombine pass, along a direction of weights
 };
 
 // Accumulator planes of a pixel, each two texels RGBA32F: the compensated sum and its compensation (Kahan 1965).
@@ -140,7 +143,7 @@ struct TilePush {
 #define PLANE_LIGHTS 1
 
 #ifdef __cplusplus
-static_assert(sizeof(LightRow) == 80 && sizeof(PartRow) == 96 && sizeof(TilePush) == 24);
+static_assert(sizeof(LightRow) == 80 && sizeof(PartRow) == 96 && sizeof(TilePush) == 32);
 static_assert(sizeof(FrameParams) == 180 + 12 * MAX_LIGHTS);
 }  // namespace vamp::frame
 #endif

@@ -1,0 +1,164 @@
+// Weights at hand: their sums, gathered while nothing else is asked for, and edits answered from them.
+#include <algorithm>
+
+#include "engine/core/check.h"
+#include "engine/gpu/command_list.h"
+#include "engine/gpu/device.h"
+#include "engine/render/renderer.h"
+
+namespace vamp {
+
+void Renderer::set_weights_at_hand(const WeightGroup& group) {
+  if (group == at_hand_) return;
+  at_hand_ = group;
+  weights_.reset();
+}
+
+void Renderer::make_weight_sums() {
+  const auto material = static_cast<size_t>(at_hand_.material);
+  // No visible part shows it: nothing to gather.
+  if (material >= project_->materials.size() || material_tables_.sums[material].texels.empty()) {
+    at_hand_ = {};
+    return;
+  }
+  weights_.emplace(*device_, WeightSpan(material_tables_, *project_, at_hand_), display_.count(), key_.planes(),
+                   tiles_.size());
+  for (WeightSums::Direction& direction : weights_->directions) {
+    std::vector<gpu::Bound> bound = bound_tables();
+    const auto replace = [&](gpu::Bound with) {
+      const auto at =
+          std::find_if(bound.begin(), bound.end(), [&](const auto& b) { return b.binding == with.binding; });
+      *at = std::move(with);
+    };
+    replace({BINDING_BASES, direction.bases.view});
+    replace({BINDING_CLUSTERS, direction.clusters.view});
+    replace({BINDING_ACCUMULATORS, direction.accumulators_view});
+    replace({BINDING_LIST, weights_->list});
+    direction.set = gpu::DescriptorSet(*device_, "weights at hand", kernel_bindings(), bound);
+  }
+}
+
+std::optional<WeightSums::Step> Renderer::next_weight_step() const {
+  for (size_t k = 0; k < weights_->directions.size(); ++k) {
+    const std::vector<uint32_t>& have = weights_->directions[k].samples;
+    WeightSums::Step step;
+    step.direction = k;
+    step.base = ~0u;
+    for (size_t t = 0; t < tiles_.size(); ++t)
+      if (have[t] < samples_[t]) step.base = std::min(step.base, have[t]);
+    if (step.base == ~0u) continue;
+    uint32_t least = ~0u;
+    for (size_t t = 0; t < tiles_.size(); ++t) {
+      if (have[t] != step.base || samples_[t] <= step.base) continue;
+      step.tiles.push_back(t);
+      least = std::min(least, samples_[t] - step.base);
+      // What has no place of its own would be traced over a hit that the picture still wants.
+      if (!hit_is_stored(step.base) && samples_[t] % SAMPLES_PER_HIT != 0) return std::nullopt;
+    }
+    const bool whole_hit = step.base % SAMPLES_PER_HIT == 0 && least >= SAMPLES_PER_HIT && batches_fit();
+    if (!hit_is_stored(step.base) && !whole_hit) return std::nullopt;
+    step.batch = whole_hit ? SAMPLES_PER_HIT : 1;
+    return step;
+  }
+  return std::nullopt;
+}
+
+bool Renderer::wants_weights() const {
+  if (at_hand_.rows.empty() || replaying() || region_.width == 0 || samples() < SAMPLES_PER_HIT) return false;
+  return !weights_ || weights_->step || next_weight_step();
+}
+
+void Renderer::begin_weight_step() {
+  weights_->step = next_weight_step();
+  if (!weights_->step) return;
+  WeightSums::Step& step = *weights_->step;
+  std::vector<bool> wanted(tiles_.size());
+  for (const size_t t : step.tiles) wanted[t] = true;
+  send_weight_list(wanted);
+}
+
+void Renderer::send_weight_list(const std::vector<bool>& wanted) {
+  std::vector<uint32_t> list = pixels_that_see(weights_->span.seen(), wanted);
+  if (list == weights_->listed) return;
+  if (!list.empty()) device_->upload_rows<uint32_t>(weights_->list, 0, list);
+  weights_->listed = std::move(list);
+}
+
+uint64_t Renderer::gather_weights(uint32_t most) {
+  CHECK(!replaying() && most > 0);
+  if (!weights_) make_weight_sums();
+  if (!weights_) return device_->last_submitted();
+  if (!weights_->step) begin_weight_step();
+  if (!weights_->step) return device_->last_submitted();
+  WeightSums::Step& step = *weights_->step;
+  WeightSums::Direction& direction = weights_->directions[step.direction];
+  uint64_t value = device_->last_submitted();
+  const auto pixels = static_cast<uint32_t>(weights_->listed.size());
+  if (pixels > 0) {
+    frame::TilePush push{};
+    push.x = step.at;
+    push.width = std::min(most, pixels - step.at);
+    push.height = 1;
+    push.sample_base = step.base;
+    push.stride = 1;
+    push.weights_alone = 1;
+    value = submit_batch(push, true, !hit_is_stored(step.base), step.batch, direction.set);
+    step.at += push.width;
+  }
+  if (step.at == pixels) {
+    for (const size_t t : step.tiles) direction.samples[t] += step.batch;
+    weights_->step.reset();
+  }
+  return value;
+}
+
+bool Renderer::weights_ready() const { return weights_ && !replaying() && weights_->ready(samples_) > 0; }
+
+bool Renderer::tints_ready() const {
+  return weights_ready() && weights_->ready(samples_) == weights_->span.directions().size();
+}
+
+bool Renderer::holds_weights_of(size_t material) const {
+  return weights_ && at_hand_.material == static_cast<int>(material) &&
+         weights_->span.steps_to(material_tables_, weights_->directions.size());
+}
+
+std::optional<std::vector<double>> Renderer::steps_of_weights() {
+  if (replaying()) return std::nullopt;
+  if (weights_->step) gather_weights(~0u);
+  // Tiles may have gone ahead by a batch since the sums were gathered.
+  const auto close = [&](const WeightSums::Direction& direction) {
+    for (size_t t = 0; t < tiles_.size(); ++t)
+      if (samples_[t] - direction.samples[t] > SAMPLES_PER_HIT) return false;
+    return true;
+  };
+  while (weights_->ready(samples_) < weights_->directions.size() &&
+         close(weights_->directions[weights_->ready(samples_)]) && wants_weights())
+    gather_weights(~0u);
+  return weights_->span.steps_to(material_tables_, weights_->ready(samples_));
+}
+
+void Renderer::recombine(const std::vector<double>& steps, Change& change) {
+  send_weight_list(std::vector<bool>(tiles_.size(), true));
+  change.recombined = weights_->listed.size();
+  if (change.what.empty()) change.what = "weights edited";
+  if (weights_->listed.empty()) return;
+  gpu::CommandList list = device_->begin("recombine");
+  for (size_t k = 0; k < steps.size(); ++k) {
+    WeightSums::Direction& direction = weights_->directions[k];
+    frame::TilePush push{};
+    push.width = static_cast<uint32_t>(weights_->listed.size());
+    push.height = 1;
+    push.stride = 1;
+    // The steps taken add up to those wanted, whatever they were rounded to on the way.
+    push.step = static_cast<float>(steps[k] - direction.applied);
+    direction.applied += static_cast<double>(push.step);
+    list.bind(kernels_.get(Pass::recombine, key_), direction.set);
+    list.push(push);
+    list.dispatch((push.width + GROUP_SIZE - 1) / GROUP_SIZE);
+    list.barrier(gpu::Stage::compute, gpu::Stage::compute);
+  }
+  device_->submit(std::move(list));
+}
+
+}  // namespace vamp
