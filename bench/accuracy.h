@@ -1,8 +1,7 @@
 #pragma once
 // How exact the program is against what it costs: the seven models in their robust forms and as textbooks write them,
 // weights by their storage, terms of the residual, texture taps, directions between the measured ones.
-#include "bench/report.h"
-#include "engine/image/figure.h"
+#include "bench/plot.h"
 
 namespace vamp {
 
@@ -15,11 +14,6 @@ struct AccuracyBench {
   int rounds = 7;                // of timings
   int side = 256;                // of pictures, pixels
   uint32_t samples = 256;        // of reference pictures
-};
-
-struct Plot {
-  std::string name;  // of its file, without an ending
-  Figure figure;
 };
 
 struct Accuracy {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bench/accuracy.h"
+#include "bench/pruned.h"
 #include "bench/scene.h"
 #include "bench/series.h"
 #include "engine/gpu/device.h"
@@ -61,15 +62,6 @@ std::string ms(const Series& s) { return fmt::format("{:.1f} ({:.1f} to {:.1f})"
 double relative_rms(const std::vector<float>& a, const std::vector<float>& r) {
   const std::vector<float> zeros(r.size(), 0.f);
   return rmse(a, r) / rmse(r, zeros);
-}
-
-Project without_residuals(Project project) {
-  for (MaterialInstance& material : project.materials) {
-    auto bare = std::make_shared<Spmm>(*material.fit);
-    bare->residual = {};
-    material.fit = std::move(bare);
-  }
-  return project;
 }
 
 }  // namespace

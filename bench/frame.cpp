@@ -14,7 +14,7 @@ Result<Report> bench_frame(gpu::Device& device, Project project, const FrameBenc
 
   const EmbreeScene embree(project.scene->positions, project.scene->triangles, EmbreeScene::Edges::fast);
   const ReadyRays rays = draw_rays(embree, project, options.side, 1);
-  VAMP_TRY(const auto cost, SampleCost::make(device, std::move(project), options.side));
+  VAMP_TRY(const auto cost, SampleCost::make(device, std::move(project), options.side, options.side));
   Series primary, shadow, ambient;
   const Series &single = cost->single, &batch = cost->batch;
   for (int round = 0; round < options.rounds; ++round) {

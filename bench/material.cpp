@@ -1,5 +1,7 @@
 #include "bench/material.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -33,7 +35,7 @@ uint32_t half(float value) { return half_from_float(value); }
 }  // namespace
 
 SpmmPtr bench_material(const BenchMaterial& what) {
-  std::mt19937 random(1);
+  std::mt19937 random(what.seed);
   const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
   auto fit = std::make_shared<Spmm>();
   fit->width = fit->height = kSide;
@@ -72,13 +74,17 @@ SpmmPtr bench_material(const BenchMaterial& what) {
   return fit;
 }
 
-void dress(Project& project, const BenchMaterial& what) {
-  MaterialInstance material;
-  material.name = "bench";
-  material.preset = "made in memory";
-  material.fit = bench_material(what);
-  project.materials = {material};
-  for (PartState& part : project.parts) part.material = 0;
+void dress(Project& project, const BenchMaterial& what, int materials) {
+  project.materials.clear();
+  BenchMaterial each = what;
+  for (int i = 0; i < materials; ++i, ++each.seed) {
+    MaterialInstance material;
+    material.name = fmt::format("bench {}", i + 1);
+    material.preset = "made in memory";
+    material.fit = bench_material(each);
+    project.materials.push_back(std::move(material));
+  }
+  for (size_t i = 0; i < project.parts.size(); ++i) project.parts[i].material = static_cast<int>(i) % materials;
 }
 
 }  // namespace vamp

@@ -53,7 +53,7 @@ Result<Report> bench_triangles(gpu::Device& device, const TrianglesBench& option
     VAMP_CHECK_STATUS(keep_one_light(project));
     VAMP_TRY(auto rays, RayCost::make(device, project, options.side));
     const size_t count = project.scene->triangles.size();
-    VAMP_TRY(auto sample, SampleCost::make(device, std::move(project), options.side));
+    VAMP_TRY(auto sample, SampleCost::make(device, std::move(project), options.side, options.side));
     sizes.push_back({fmt::format("{}", fmt::group_digits(count)), std::move(rays), std::move(sample)});
   }
   for (int round = 0; round < options.rounds; ++round)

@@ -4,23 +4,26 @@
 
 namespace vamp {
 
-Result<std::unique_ptr<SampleCost>> SampleCost::make(gpu::Device& device, Project project, int side) {
+Result<std::unique_ptr<SampleCost>> SampleCost::make(gpu::Device& device, Project project, int width, int height) {
   std::unique_ptr<SampleCost> cost(new SampleCost(device, std::move(project)));
   VAMP_CHECK_STATUS(cost->begin());
-  cost->renderer_.set_region(side, side, {0, 0, side, side});
+  cost->renderer_.set_region(width, height, {0, 0, width, height});
   // Kernels are compiled at their first dispatch.
   VAMP_CHECK_STATUS(cost->round());
   cost->single = cost->batch = {};
   return cost;
 }
 
-Status SampleCost::round() {
+Status SampleCost::single_round() {
   VAMP_CHECK_STATUS(begin());
-  {
-    const Stopwatch watch;
-    device_.wait(renderer_.refine_all(1));
-    single.add(watch.stop());
-  }
+  const Stopwatch watch;
+  device_.wait(renderer_.refine_all(1));
+  single.add(watch.stop());
+  return {};
+}
+
+Status SampleCost::round() {
+  VAMP_CHECK_STATUS(single_round());
   while (renderer_.samples() < SAMPLES_PER_HIT) device_.wait(renderer_.refine_all(SAMPLES_PER_HIT));
   const Stopwatch watch;
   device_.wait(renderer_.refine_all(2 * SAMPLES_PER_HIT));

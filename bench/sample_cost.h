@@ -8,11 +8,13 @@ namespace vamp {
 
 class SampleCost {
  public:
-  // A square picture of `side` pixels; compiles the kernels. Throws MachineError.
-  static Result<std::unique_ptr<SampleCost>> make(gpu::Device& device, Project project, int side);
+  // A picture of so many pixels; compiles the kernels. Throws MachineError.
+  static Result<std::unique_ptr<SampleCost>> make(gpu::Device& device, Project project, int width, int height);
 
   // Once: a sample with a primary ray of its own, and one of four that share a primary ray and a dispatch.
   Status round();
+  // The first of these alone.
+  Status single_round();
 
   Series single, batch;
 

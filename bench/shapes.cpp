@@ -1,5 +1,7 @@
 #include "bench/shapes.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,8 +18,11 @@ struct Ball {
 constexpr std::array<Ball, 5> kBalls{
     {{0, 0, 0.6f}, {1.2f, 0.3f, 0.45f}, {-1.1f, 0.5f, 0.5f}, {0.4f, -1.2f, 0.4f}, {-0.6f, -1.0f, 0.35f}}};
 
+// Triangles of each part: a scene has them part by part.
+using Parts = std::array<std::vector<uvec3>, kShapesParts>;
+
 // Rings of 2 n vertices from pole to pole; every ring but the outermost gives two triangles a vertex.
-void add_ball(Scene& scene, const Ball& ball, float phase, int n) {
+void add_ball(Scene& scene, Parts& parts, const Ball& ball, float phase, int n) {
   const auto base = static_cast<uint32_t>(scene.positions.size());
   const float pi = std::numbers::pi_v<float>;
   for (int i = 0; i <= n; ++i)
@@ -36,21 +41,26 @@ void add_ball(Scene& scene, const Ball& ball, float phase, int n) {
   const auto at = [&](int i, int j) { return base + static_cast<uint32_t>(i * 2 * n + j % (2 * n)); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < 2 * n; ++j) {
-      if (i > 0) scene.triangles.emplace_back(at(i, j), at(i, j + 1), at(i + 1, j + 1));
-      if (i < n - 1) scene.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i + 1, j));
+      // Two stripes of each part, so that every part is seen from any side.
+      std::vector<uvec3>& part = parts[static_cast<size_t>(j * kShapesParts / n % kShapesParts)];
+      if (i > 0) part.emplace_back(at(i, j), at(i, j + 1), at(i + 1, j + 1));
+      if (i < n - 1) part.emplace_back(at(i, j), at(i + 1, j + 1), at(i + 1, j));
     }
 }
 
-void add_floor(Scene& scene) {
-  const auto base = static_cast<uint32_t>(scene.positions.size());
-  for (const vec2 corner : {vec2(-1, -1), vec2(-1, 1), vec2(1, 1), vec2(1, -1)}) {
-    scene.positions.emplace_back(2.5f * corner.x, -0.1f, 2.5f * corner.y);
-    scene.normals.emplace_back(0, 1, 0);
-    scene.tangents.emplace_back(1, 0, 0, -1);
-    scene.uvs.push_back(2.5f * corner);
+void add_floor(Scene& scene, Parts& parts) {
+  for (uint32_t part = 0; part < kShapesParts; ++part) {
+    const auto base = static_cast<uint32_t>(scene.positions.size());
+    const float left = 2.f * static_cast<float>(part) / kShapesParts - 1, right = left + 2.f / kShapesParts;
+    for (const vec2 corner : {vec2(left, -1), vec2(left, 1), vec2(right, 1), vec2(right, -1)}) {
+      scene.positions.emplace_back(2.5f * corner.x, -0.1f, 2.5f * corner.y);
+      scene.normals.emplace_back(0, 1, 0);
+      scene.tangents.emplace_back(1, 0, 0, -1);
+      scene.uvs.push_back(2.5f * corner);
+    }
+    parts[part].emplace_back(base, base + 1, base + 2);
+    parts[part].emplace_back(base, base + 2, base + 3);
   }
-  scene.triangles.emplace_back(base, base + 1, base + 2);
-  scene.triangles.emplace_back(base, base + 2, base + 3);
 }
 
 }  // namespace
@@ -58,13 +68,16 @@ void add_floor(Scene& scene) {
 Project shapes_project(int triangles) {
   auto scene = std::make_shared<Scene>();
   scene->name = "shapes";
-  Part part;
-  part.name = "Shapes";
-  scene->parts = {part};
+  scene->parts.resize(kShapesParts);
+  for (size_t i = 0; i < scene->parts.size(); ++i) scene->parts[i].name = fmt::format("Stripes {}", i + 1);
+  Parts parts;
   const int rings = std::max(static_cast<int>(std::sqrt(triangles / 20.0) + 0.5), 3);
-  for (size_t i = 0; i < kBalls.size(); ++i) add_ball(*scene, kBalls[i], static_cast<float>(i), rings);
-  add_floor(*scene);
-  scene->triangle_part.assign(scene->triangles.size(), 0);
+  for (size_t i = 0; i < kBalls.size(); ++i) add_ball(*scene, parts, kBalls[i], static_cast<float>(i), rings);
+  add_floor(*scene, parts);
+  for (uint32_t part = 0; part < kShapesParts; ++part) {
+    scene->triangles.insert(scene->triangles.end(), parts[part].begin(), parts[part].end());
+    scene->triangle_part.resize(scene->triangles.size(), part);
+  }
   finish_scene(*scene);
 
   Project project = make_project(scene, "shapes");

@@ -12,10 +12,14 @@ void add_bench_edit(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_edits(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_fit(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_frame(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_materials(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_measured(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_mixture(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_paper(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_pathtracer(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_rays(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_shading(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_speed_error(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_triangles(CLI::App& bench, CommonOptions& common, Action& action);
 
 // Adds a benchmark's verb with --json and --into; `run` makes the report when the command line is read.

@@ -1,12 +1,9 @@
 // `vamp bench accuracy`: the page of errors against costs, with its plots.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "app/commands/bench.h"
 #include "bench/accuracy.h"
-#include "engine/core/files.h"
 #include "engine/core/json.h"
 #include "engine/gpu/device.h"
 
@@ -23,18 +20,7 @@ Status run(const Options& options, bool written, const CommonOptions& common) {
   if (options.quick) bench = {.lobes = 50, .pairs = 200, .rounds = 2, .side = 96, .samples = 16};
   VAMP_TRY(const auto device, open_device(common));
   VAMP_TRY(const Accuracy found, bench_accuracy(*device, bench));
-  if (written) {
-    // The plots of accuracy.md lie in accuracy/ beside it.
-    const fs::path folder = fs::path(options.page).replace_extension();
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    for (const Plot& plot : found.plots)
-      VAMP_CHECK_STATUS(write_text_atomically(folder / (plot.name + ".svg"), plot.figure.svg()));
-    Report page = found.report;
-    for (const Plot& plot : found.plots)
-      page.remark(fmt::format("![{0}]({1}/{0}.svg)", plot.name, folder.filename().string()));
-    VAMP_CHECK_STATUS(page.write_into(options.page));
-  }
+  if (written) VAMP_CHECK_STATUS(write_page(found.report, found.plots, options.page));
   std::fputs((common.json ? print_json(found.report.json()) : found.report.text()).c_str(), stdout);
   return {};
 }
