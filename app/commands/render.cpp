@@ -43,6 +43,7 @@ Result<Project> load(const RenderText& text, RenderOptions& options) {
   VAMP_TRY(Job job, job_from_text(found->second, fs::absolute(text.from).parent_path(), text.from));
   if (!options.size) options.size = uvec2(job.width, job.height);
   if (!options.samples) options.samples = job.samples;
+  if (!options.noise_goal && job.noise_goal > 0) options.noise_goal = job.noise_goal;
   return std::move(job.project);
 }
 
@@ -52,6 +53,8 @@ Json figures(const Still& still, const Job& job, const std::string& file) {
   json["width"] = job.width;
   json["height"] = job.height;
   json["samples"] = still.samples;
+  json["mean_samples"] = still.mean_samples;
+  if (still.noise >= 0) json["noise"] = still.noise;
   json["complete"] = job.complete;
   json["seconds"] = still.seconds;
   json["ms_per_sample"] = still.ms_per_sample;
@@ -80,7 +83,10 @@ Status render(const RenderText& text, const CommonOptions& common) {
   still_options.width = static_cast<int>(size.x);
   still_options.height = static_cast<int>(size.y);
   still_options.seconds = static_cast<double>(options.seconds.value_or(0.0f));
-  still_options.samples = options.seconds ? project.settings.max_samples : options.samples.value_or(kDefaultSamples);
+  still_options.noise_goal = options.noise_goal.value_or(0.0f);
+  const uint32_t most = project.settings.max_samples;
+  still_options.samples =
+      options.seconds ? most : options.samples.value_or(options.noise_goal ? most : kDefaultSamples);
 
   VAMP_TRY(const std::unique_ptr<gpu::Device> device, open_device(common));
   const auto shared = std::make_shared<const Project>(std::move(project));
@@ -93,7 +99,8 @@ Status render(const RenderText& text, const CommonOptions& common) {
   const Job job{.project = *shared,
                 .width = size.x,
                 .height = size.y,
-                .samples = still->samples,
+                .samples = options.noise_goal ? still_options.samples : still->samples,
+                .noise_goal = still_options.noise_goal,
                 // A picture that was asked for by its time alone is whole when the time is over.
                 .complete = still->complete || (options.seconds && !interrupted()),
                 .device = device->info().name,

@@ -90,6 +90,8 @@ void add_render_options(CLI::App& verb, RenderText& text) {
   option("--size", text.size, "WxH", "In pixels, 1280x960 by default");
   auto* samples = option("--samples", text.samples, "N", "Samples of every pixel, 64 by default");
   option("--time", text.time, "SECONDS", "Refine for this many seconds instead")->excludes(samples);
+  option("--noise", text.noise, "PERCENT",
+         "Refine each tile of the picture until its relative noise is below; --samples and --time limit it");
   option("--seed", text.seed, "N", "Seed of the random numbers");
   option("--camera", text.camera, "KEYS", "eye=x,y,z,target=x,y,z,fov=degrees[,up=x,y,z]; lengths in scene units");
   verb.add_option(
@@ -133,6 +135,8 @@ Result<RenderOptions> read_render_options(const RenderText& text) {
   VAMP_CHECK_STATUS(read_given(text.samples, options.samples,
                                [](const auto& value) { return count_option(value, "--samples", 1, kMaxSamples); }));
   VAMP_CHECK_STATUS(read_given(text.time, options.seconds, number("--time", 1e-3f, 1e6f)));
+  VAMP_CHECK_STATUS(read_given(text.noise, options.noise_goal, number("--noise", 100 * kLeastNoiseGoal, 100)));
+  if (options.noise_goal) *options.noise_goal /= 100;
   VAMP_CHECK_STATUS(read_given(text.seed, options.seed,
                                [](const auto& value) { return count_option(value, "--seed", 0, UINT32_MAX); }));
   VAMP_CHECK_STATUS(

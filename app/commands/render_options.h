@@ -17,7 +17,7 @@ namespace vamp {
 
 // As written; empty where an option was not given.
 struct RenderText {
-  std::string scene, from, output, size, samples, time, seed, camera, ambient, background;
+  std::string scene, from, output, size, samples, time, noise, seed, camera, ambient, background;
   std::string environment, environment_rotation, environment_intensity, ao_radius, exposure, layers, tap;
   std::vector<std::string> lights, materials, mirrors;
   bool pixel_centres = false, hide_environment = false;
@@ -29,7 +29,7 @@ void add_render_options(CLI::App& verb, RenderText& text);
 struct RenderOptions {
   std::optional<uvec2> size;
   std::optional<uint32_t> samples, seed;
-  std::optional<float> seconds, ao_radius, exposure, environment_rotation, environment_intensity;
+  std::optional<float> seconds, noise_goal, ao_radius, exposure, environment_rotation, environment_intensity;
   std::optional<Camera> camera;
   std::vector<Light> lights;
   std::optional<vec3> ambient, background;

@@ -123,12 +123,13 @@ void Editor::update_renderer() {
   start_renderer();
   if (!session_) return;
   context_.status = session_->status();
+  session_->set_weights_at_hand(std::exchange(context_.weights_at_hand, {}));
   // A cluster is tinted for those who look for it; while a value is dragged nothing lies over the colour that changes.
   const bool tint = context_.show_cluster && !ui::edit_is_open();
   const Outlined selected{selection_.part, tint ? selection_.cluster : -1};
   if (picture_.version() == 0 && session_->picture_version() > 0) tell_time("first tile");
   picture_.update(*session_, context_.show_outlines ? selected : Outlined{},
-                  context_.show_outlines ? Outlined{context_.hover.part, -1} : Outlined{});
+                  context_.show_outlines ? Outlined{context_.hover.part, -1} : Outlined{}, context_.show_restarted);
   context_.viewport = picture_.textures();
   if (!told_first_picture_ && context_.status.samples > 0) {
     told_first_picture_ = true;

@@ -85,9 +85,12 @@ std::vector<ui::StatusItem> Editor::status_left() const {
   if (context_.paused) items.push_back({"Paused", ui::theme().changed, "Render > Pause goes on"});
   if (!status.restart_reason.empty()) {
     const uint64_t all = static_cast<uint64_t>(viewport_width_) * static_cast<uint64_t>(viewport_height_);
-    items.push_back({fmt::format("{} of {} pixels restarted: {}", ui::count_text(status.restarted_pixels),
-                                 ui::count_text(all), status.restart_reason),
-                     0, "Why the picture was begun again last"});
+    const std::string pulled =
+        status.recombined_pixels > 0 ? fmt::format(", {} follow", ui::count_text(status.recombined_pixels)) : "";
+    items.push_back({fmt::format("{} of {} pixels restarted{}: {}", ui::count_text(status.restarted_pixels),
+                                 ui::count_text(all), pulled, status.restart_reason),
+                     0,
+                     "What the last edit began again, and what follows it with all samples (View > Restarted pixels)"});
   }
   if (status.bytes_uploaded > 0)
     items.push_back({ui::bytes_text(status.bytes_uploaded) + " to the GPU", ui::theme().dim, "Sent by the last edit"});

@@ -134,6 +134,13 @@ void Editor::add_view_actions() {
                 .checked = [this] { return context_.show_cluster; },
                 .tooltip = "Tints where the selected cluster lies, to look for it; switch it off to judge colours",
                 .group = 2});
+  actions_.add({.id = "view.restarted",
+                .label = "Restarted pixels",
+                .menu = "View",
+                .run = [this] { context_.show_restarted = !context_.show_restarted; },
+                .checked = [this] { return context_.show_restarted; },
+                .tooltip = "Marks the pixels that the last edit began again; all others keep their samples",
+                .group = 2});
   for (const ui::Panel& panel : dock_.panels()) {
     if (panel.central) continue;
     actions_.add({.id = "view.panel_" + panel.id,

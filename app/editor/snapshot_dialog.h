@@ -50,8 +50,10 @@ class SnapshotDialog {
   int preset_ = 0;  // of the sizes; the last is one's own
   int viewport_width_ = 1280, viewport_height_ = 960;
   float width_ = 1280, height_ = 960;
-  float samples_ = 64, seconds_ = 30;
-  bool by_time_ = false, transparent_ = false;
+  enum class Stop { samples, time, noise };
+  Stop stop_ = Stop::samples;
+  float samples_ = 64, seconds_ = 30, noise_ = 2;  // noise in percent
+  bool transparent_ = false;
   Format format_ = Format::png8;
   std::filesystem::path path_;
   std::filesystem::path replaces_;  // the user agreed to write over this file

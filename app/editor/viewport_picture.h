@@ -14,23 +14,23 @@ class ViewportPicture {
   explicit ViewportPicture(window::Textures& textures);
 
   // Takes over what is newer in the session; redraws the outlines when they or what they are drawn from changed. Once a
-  // frame, before anything is drawn.
-  void update(const RenderSession& session, const Outlined& selected, const Outlined& hovered);
+  // frame, before anything is drawn. `restarted`: also which pixels the last edit restarted.
+  void update(const RenderSession& session, const Outlined& selected, const Outlined& hovered, bool restarted);
 
   // Nothing to show: another session begins.
   void clear();
 
   // Changes with every new picture.
-  uint64_t version() const { return version_; }
+  uint64_t version() const { return pixels_.version; }
   const ui::ViewportTextures& textures() const { return shown_; }
 
  private:
+  void mark_restarted(const RenderSession& session);
+
   window::Textures& table_;
   ui::ViewportTextures shown_;
-  ImTextureID picture_ = nullptr, outline_ = nullptr;
-  std::vector<uint32_t> pixels_, ids_;
-  int ids_width_ = 0, ids_height_ = 0;
-  uint64_t version_ = 0, ids_version_ = 0;
+  ImTextureID picture_ = nullptr, outline_ = nullptr, marks_ = nullptr;
+  PixelLayer pixels_, ids_, restarted_;
   Outlined selected_, hovered_;
 };
 

@@ -244,6 +244,8 @@ Edit change_settings(const Project&, RenderSettings settings, const std::string&
   return make_edit(what, "settings " + what, [settings](Project& target) {
     target.settings = settings;
     target.settings.max_samples = std::clamp(settings.max_samples, 1u, kMaxSamples);
+    const float goal = settings.noise_goal;
+    target.settings.noise_goal = goal > 0 ? std::clamp(goal, kLeastNoiseGoal, 1.0f) : 0;
     if (!std::isfinite(settings.ao_radius)) target.settings.ao_radius = 0;
     target.settings.ao_radius = std::clamp(target.settings.ao_radius, 0.0f, kMaxCoordinate);
   });

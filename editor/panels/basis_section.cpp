@@ -68,6 +68,16 @@ class Choices {
 
 float half_turn(float radians) { return std::remainder(glm::degrees(radians), 360.0f); }
 
+// The rows that an edit of the weight would reach: of several, locked ones are left alone.
+WeightGroup weights_of(const Rows& rows, const Project& project) {
+  WeightGroup group{rows.material, {}};
+  const MaterialInstance* material = find_material(project, rows.material);
+  if (material == nullptr) return {};
+  for (const BasisKey key : rows.keys)
+    if (rows.keys.size() == 1 || !material->edits.edit_of(key).lock) group.rows.push_back(key);
+  return group;
+}
+
 }  // namespace
 
 Rows rows_in_scope(const PanelContext& context, EditScope scope) {
@@ -91,6 +101,7 @@ void BasisSection::draw(PanelContext& context, EditScope scope) {
   const ProjectPtr project = document.project();
   const Shown shown(*project, context.selection);
   const Rows rows = rows_in_scope(context, scope);
+  context.weights_at_hand = weights_of(rows, *context.document.project());
   const std::string name = shown.basis.name.empty() ? fmt::format("function {}", shown.key.basis) : shown.basis.name;
   section(fmt::format("{} — {}{}", name, model_text(shown.basis.lobe), shown.edit.lock ? " (locked)" : "").c_str());
   gap(4);

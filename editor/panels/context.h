@@ -23,6 +23,7 @@ enum class Tool { pick, orbit };
 struct ViewportTextures {
   ImTextureID picture = nullptr;  // the rendered picture, drawn 1:1
   ImTextureID outline = nullptr;  // RGBA overlay: outlines of the selection and of what the mouse is over; may be null
+  ImTextureID restarted = nullptr;  // RGBA overlay: the pixels that the last edit restarted; may be null
   int width = 0, height = 0;
 };
 
@@ -35,12 +36,14 @@ struct PanelContext {
   // The renderer: null until it runs. Status is refreshed once a frame.
   RenderSession* session = nullptr;
   RenderStatus status;
+  WeightGroup weights_at_hand;  // rows whose weight a panel shows: those the renderer is to be ready for
   ViewportTextures viewport;
   std::string problem;         // why no document is open; empty while one is, or is being loaded
   ImVec2 viewport_size{0, 0};  // of its panel, in pixels; 0 before it was drawn
   Tool tool = Tool::pick;
   bool paused = false;  // refinement rests
   bool show_outlines = true;
+  bool show_restarted = false;  // the pixels that the last edit restarted are marked in the picture
   bool show_cluster = false;  // the selected cluster is tinted in the picture
   Camera opened_camera;       // where the camera stood when the document was opened: what its rows go back to
   Pick hover;                 // what the mouse is over in the viewport; part -1 while it is elsewhere

@@ -74,6 +74,8 @@ void RenderPanel::draw_status(PanelContext& context) const {
   row("Restarted by", status.restart_reason.empty() ? "—" : status.restart_reason, "What the last restart was for");
   row("Pixels", fmt::format("{} of {} restarted", count_text(status.restarted_pixels), count_text(pixels)),
       "How many pixels the last edit began anew");
+  row("Weight", status.weights_at_hand ? "follows at once" : "shaded again",
+      "How the picture answers when the selected weight is pulled: from sums that are ready, or by shading again");
   row("Uploaded", bytes_text(status.bytes_uploaded), "By the last edit, to the GPU");
   row("GPU memory", bytes_text(status.gpu_bytes), "What the scene, the materials and the picture take");
   row("Picture", fmt::format("{} × {} pixels", status.width, status.height), "The size of the viewport");
@@ -104,6 +106,14 @@ void RenderPanel::draw_settings(PanelContext& context) const {
   number_row(document, samples, static_cast<float>(now.max_samples), [&](float value) {
     return change("Max samples", [&](RenderSettings& s) { s.max_samples = static_cast<uint32_t>(value); });
   });
+  number_row(
+      document,
+      {"Noise goal", 0, 20, 100 * initial.noise_goal, "%.2f %%",
+       "Relative noise that is good enough: where the picture has less, it stops refining, and time goes where it "
+       "has more. 0: refine everywhere.",
+       "%"},
+      100 * now.noise_goal,
+      [&](float value) { return change("Noise goal", [&](RenderSettings& s) { s.noise_goal = value / 100; }); });
   // As text: a slider has not the digits for 32 bits.
   std::string seed = std::to_string(now.seed);
   const EditOf<std::string> typed =

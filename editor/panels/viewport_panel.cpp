@@ -84,6 +84,7 @@ void ViewportPanel::draw_picture(const PanelContext& context, ImVec2 low) const 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 high(low.x + static_cast<float>(view.width), low.y + static_cast<float>(view.height));
   list.AddImage(view.picture, low, high);
+  if (view.restarted != nullptr) list.AddImage(view.restarted, low, high);
   if (context.show_outlines && view.outline != nullptr) list.AddImage(view.outline, low, high);
 }
 

@@ -16,6 +16,7 @@ Result<std::string> job_to_text(const Job& job, const std::filesystem::path& fol
   Json json = kSchema.head();
   json["size"] = {job.width, job.height};
   json["samples"] = job.samples;
+  if (job.noise_goal > 0) json["noise_goal"] = job.noise_goal;
   json["complete"] = job.complete;
   json["device"] = job.device;
   json["driver"] = job.driver;
@@ -34,6 +35,7 @@ Result<Job> job_from_text(std::string_view text, const std::filesystem::path& fo
   job.width = static_cast<uint32_t>(size.element(0).integer(1, kMaxPictureSide));
   job.height = static_cast<uint32_t>(size.element(1).integer(1, kMaxPictureSide));
   job.samples = static_cast<uint32_t>(reader.member("samples").integer(1, kMaxSamples));
+  if (reader.has("noise_goal")) job.noise_goal = static_cast<float>(reader.member("noise_goal").number(0, 1));
   job.complete = reader.member("complete").boolean();
   job.device = reader.member("device").text(256);
   job.driver = reader.member("driver").text(256);

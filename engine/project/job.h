@@ -13,7 +13,8 @@ inline constexpr std::string_view kJobKey = "vamp:job";  // of the picture's met
 struct Job {
   Project project;  // seed, tap and AO radius are in its settings, exposure and tone map in its display
   uint32_t width = 0, height = 0;
-  uint32_t samples = 0;  // of every pixel
+  uint32_t samples = 0;  // of every pixel; with a noise goal, at most
+  float noise_goal = 0;  // tiles stopped earlier where their noise was below; 0: none did
   bool complete = true;  // false: it was interrupted before its samples were done
   std::string device;    // the same bits are promised on the same device only
   std::string driver;

@@ -22,6 +22,7 @@ inline constexpr float kMaxTextureRotation = 63;  // radians, ten turns to both 
 inline constexpr float kMaxGain = 1e4f;           // per channel, of a basis's weights
 inline constexpr float kMaxEnvironmentIntensity = 1e6f;
 inline constexpr uint32_t kMaxSamples = 1u << 20;
+inline constexpr float kLeastNoiseGoal = 1e-4f;  // of goals above 0
 inline constexpr uint32_t kMaxPictureSide = 16384;
 inline constexpr size_t kMaxParts = 65535;
 inline constexpr size_t kMaxNamedCameras = 256;

@@ -59,6 +59,7 @@ struct RenderSettings {
   bool pixel_centres = false;
   TexelTap tap = TexelTap::stochastic;
   uint32_t max_samples = 1u << 20;  // the picture stops refining there
+  float noise_goal = 0;             // and each of its tiles where its relative noise falls below; 0: never
   bool operator==(const RenderSettings&) const = default;
 };
 

@@ -50,6 +50,7 @@ Json render_to_json(const RenderSettings& settings, double mm_per_unit) {
   json["pixel_centres"] = settings.pixel_centres;
   json["texel_tap"] = settings.tap == TexelTap::stochastic ? "stochastic" : "four";
   json["max_samples"] = settings.max_samples;
+  json["noise_goal"] = settings.noise_goal;
   return json;
 }
 
@@ -60,6 +61,8 @@ RenderSettings render_from_json(const JsonReader& reader, double mm_per_unit) {
   settings.pixel_centres = reader.member("pixel_centres").boolean();
   settings.tap = static_cast<TexelTap>(choice_from(reader.member("texel_tap"), {"stochastic", "four"}));
   settings.max_samples = static_cast<uint32_t>(reader.member("max_samples").integer(1, kMaxSamples));
+  // Files from before there was a goal have none.
+  if (reader.has("noise_goal")) settings.noise_goal = static_cast<float>(reader.member("noise_goal").number(0, 1));
   return settings;
 }
 

@@ -125,6 +125,7 @@ Status validate(const Project& project, std::string_view file) {
   if (project.settings.max_samples < 1 || project.settings.max_samples > kMaxSamples)
     check.refuse("render.max_samples", fmt::format("1 to {}", kMaxSamples),
                  std::to_string(project.settings.max_samples));
+  check.range("render.noise_goal", project.settings.noise_goal, 0, 1);
   check.range("display.exposure", project.display.exposure, -kMaxExposure, kMaxExposure);
   return check.status();
 }

@@ -278,6 +278,8 @@ uint64_t Renderer::render_occlusion(uint32_t first_sample, uint32_t samples) {
   return value;
 }
 
+uint64_t Renderer::last_submitted() const { return device_->last_submitted(); }
+
 std::vector<float> Renderer::accumulators(uint64_t after) {
   const size_t pixels = static_cast<size_t>(region_.width) * static_cast<size_t>(region_.height);
   std::vector<float> sums(key_.planes() * pixels * 4);

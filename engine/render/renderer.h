@@ -12,17 +12,12 @@
 #include "engine/render/gpu_scene.h"
 #include "engine/render/kernels.h"
 #include "engine/render/material_tables.h"
+#include "engine/render/region.h"
 #include "engine/render/replay.h"
 #include "engine/render/scene_tables.h"
 #include "engine/render/weight_sums.h"
 
 namespace vamp {
-
-// A rectangle of the picture, pixels, row 0 on top.
-struct Region {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const Region&) const = default;
-};
 
 // What taking over a project came to.
 struct Change {
@@ -55,7 +50,9 @@ class Renderer {
   // Tiles of the region, TILE_SIDE pixels a side, in the order in which they are best refined (from the middle).
   int tile_count() const { return static_cast<int>(tiles_.size()); }
   const Region& tile(int index) const { return tiles_[static_cast<size_t>(index)]; }
+  const std::vector<Region>& tiles() const { return tiles_; }
   uint32_t samples_of(int tile) const { return samples_[static_cast<size_t>(tile)]; }
+  const std::vector<uint32_t>& samples_of_tiles() const { return samples_; }
   // Of the least refined tile.
   uint32_t samples() const;
 
@@ -83,14 +80,17 @@ class Renderer {
   uint32_t replayed_samples() const { return replaying() ? std::min(replay_.done(), samples()) : samples(); }
   // Whether replay() is between two batches: every pixel of the list has the same number of samples.
   bool replay_pass_complete() const { return replay_at_ == 0; }
+  // The pixels that the last edit has restarted.
+  const std::vector<uint32_t>& replayed_pixels() const { return replay_.pixels(); }
 
   // The group whose weights may be pulled next, or none. Once its sums are gathered, an edit of its gains, mutes
   // included, is answered by set_project() from them: the whole picture keeps its samples. Sums are gathered from
   // stored hits like those of a replay, between other work: gather_weights() submits the next part, of at most `most`
   // pixels.
   void set_weights_at_hand(const WeightGroup& group);
-  bool wants_weights() const;
-  uint64_t gather_weights(uint32_t most);
+  // `tints`: besides the sums for all channels alike, those for single ones.
+  bool wants_weights(bool tints) const;
+  uint64_t gather_weights(bool tints, uint32_t most);
   // Whether an edit of all channels alike, and of each channel by itself, would be answered so now.
   bool weights_ready() const;
   bool tints_ready() const;
@@ -101,6 +101,8 @@ class Renderer {
   // Layers of the pixels' centres (shaders/passes/aov.comp), and `samples` of the occlusion layer.
   uint64_t render_aov();
   uint64_t render_occlusion(uint32_t first_sample, uint32_t samples);
+
+  uint64_t last_submitted() const;
 
   // --- After a timeline value, from the host.
   // RGBA: linear radiance summed over planes, and coverage; a mean over each pixel's samples.
@@ -131,8 +133,8 @@ class Renderer {
   std::vector<uint32_t> pixels_that_see(uint32_t clusters, const std::vector<bool>& tiles) const;
   bool hit_is_stored(uint32_t sample) const { return sample / SAMPLES_PER_HIT + 1 < history_; }
   void make_weight_sums();
-  std::optional<WeightSums::Step> next_weight_step() const;
-  void begin_weight_step();
+  std::optional<WeightSums::Step> next_weight_step(bool tints) const;
+  void begin_weight_step(bool tints);
   void send_weight_list(const std::vector<bool>& tiles);
   // Whether the tables are where weights at hand, of this material, can be pulled to.
   bool holds_weights_of(size_t material) const;

@@ -7,6 +7,12 @@
 #include "engine/render/renderer.h"
 
 namespace vamp {
+namespace {
+
+// Pixels times samples: some 40 ms on two cores of lavapipe.
+constexpr uint64_t kCaughtUpAtOnce = 1u << 18;
+
+}  // namespace
 
 void Renderer::set_weights_at_hand(const WeightGroup& group) {
   if (group == at_hand_) return;
@@ -15,9 +21,7 @@ void Renderer::set_weights_at_hand(const WeightGroup& group) {
 }
 
 void Renderer::make_weight_sums() {
-  const auto material = static_cast<size_t>(at_hand_.material);
-  // No visible part shows it: nothing to gather.
-  if (material >= project_->materials.size() || material_tables_.sums[material].texels.empty()) {
+  if (static_cast<size_t>(at_hand_.material) >= project_->materials.size()) {
     at_hand_ = {};
     return;
   }
@@ -38,8 +42,8 @@ void Renderer::make_weight_sums() {
   }
 }
 
-std::optional<WeightSums::Step> Renderer::next_weight_step() const {
-  for (size_t k = 0; k < weights_->directions.size(); ++k) {
+std::optional<WeightSums::Step> Renderer::next_weight_step(bool tints) const {
+  for (size_t k = 0; k < std::min<size_t>(weights_->directions.size(), tints ? 3 : 1); ++k) {
     const std::vector<uint32_t>& have = weights_->directions[k].samples;
     WeightSums::Step step;
     step.direction = k;
@@ -63,13 +67,13 @@ std::optional<WeightSums::Step> Renderer::next_weight_step() const {
   return std::nullopt;
 }
 
-bool Renderer::wants_weights() const {
+bool Renderer::wants_weights(bool tints) const {
   if (at_hand_.rows.empty() || replaying() || region_.width == 0 || samples() < SAMPLES_PER_HIT) return false;
-  return !weights_ || weights_->step || next_weight_step();
+  return !weights_ || weights_->step || next_weight_step(tints);
 }
 
-void Renderer::begin_weight_step() {
-  weights_->step = next_weight_step();
+void Renderer::begin_weight_step(bool tints) {
+  weights_->step = next_weight_step(tints);
   if (!weights_->step) return;
   WeightSums::Step& step = *weights_->step;
   std::vector<bool> wanted(tiles_.size());
@@ -84,11 +88,11 @@ void Renderer::send_weight_list(const std::vector<bool>& wanted) {
   weights_->listed = std::move(list);
 }
 
-uint64_t Renderer::gather_weights(uint32_t most) {
+uint64_t Renderer::gather_weights(bool tints, uint32_t most) {
   CHECK(!replaying() && most > 0);
   if (!weights_) make_weight_sums();
   if (!weights_) return device_->last_submitted();
-  if (!weights_->step) begin_weight_step();
+  if (!weights_->step) begin_weight_step(tints);
   if (!weights_->step) return device_->last_submitted();
   WeightSums::Step& step = *weights_->step;
   WeightSums::Direction& direction = weights_->directions[step.direction];
@@ -125,16 +129,15 @@ bool Renderer::holds_weights_of(size_t material) const {
 
 std::optional<std::vector<double>> Renderer::steps_of_weights() {
   if (replaying()) return std::nullopt;
-  if (weights_->step) gather_weights(~0u);
-  // Tiles may have gone ahead by a batch since the sums were gathered.
-  const auto close = [&](const WeightSums::Direction& direction) {
-    for (size_t t = 0; t < tiles_.size(); ++t)
-      if (samples_[t] - direction.samples[t] > SAMPLES_PER_HIT) return false;
-    return true;
+  if (weights_->step) gather_weights(true, ~0u);
+  // Tiles may have gone ahead since the sums were gathered; a little is caught up at once.
+  const auto behind = [&](const WeightSums::Direction& direction) {
+    uint64_t most = 0;
+    for (size_t t = 0; t < tiles_.size(); ++t) most = std::max<uint64_t>(most, samples_[t] - direction.samples[t]);
+    return most * weights_->listed.size();
   };
-  while (weights_->ready(samples_) < weights_->directions.size() &&
-         close(weights_->directions[weights_->ready(samples_)]) && wants_weights())
-    gather_weights(~0u);
+  for (size_t k = 0; k < weights_->directions.size() && behind(weights_->directions[k]) <= kCaughtUpAtOnce; ++k)
+    while (weights_->directions[k].samples != samples_ && wants_weights(k > 0)) gather_weights(k > 0, ~0u);
   return weights_->span.steps_to(material_tables_, weights_->ready(samples_));
 }
 

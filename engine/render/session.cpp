@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <condition_variable>
-#include <cstring>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -13,8 +12,9 @@
 #include "engine/core/clock.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
-#include "engine/render/noise.h"
+#include "engine/render/goal.h"
 #include "engine/render/renderer.h"
+#include "engine/render/shown_picture.h"
 
 namespace vamp {
 namespace {
@@ -84,46 +84,27 @@ class RenderSession::Impl {
     return status_;
   }
 
-  uint64_t picture_version() const { return picture_version_.load(std::memory_order_acquire); }
+  const ShownPicture& shown() const { return shown_; }
 
-  bool copy_picture(std::vector<uint32_t>& rgba, int& width, int& height, uint64_t& version) const {
-    const std::lock_guard lock(picture_mutex_);
-    if (version == picture_version_ || picture_.empty()) return false;
-    rgba = picture_;
-    width = picture_size_.x;
-    height = picture_size_.y;
-    version = picture_version_;
-    return true;
-  }
-
-  bool copy_ids(std::vector<uint32_t>& ids, int& width, int& height, uint64_t& version) const {
-    const std::lock_guard lock(picture_mutex_);
-    if (version == ids_version_) return false;
-    ids = ids_;
-    width = ids_size_.x;
-    height = ids_size_.y;
-    version = ids_version_;
-    return true;
+  void set_weights_at_hand(const WeightGroup& group) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (group == asked_group_) return;
+      asked_group_ = group;
+      next_group_ = group;
+    }
+    wake_.notify_all();
   }
 
   Pick pick(float x, float y) const {
-    std::shared_ptr<const Project> project;
-    std::shared_ptr<const SceneTables> tables;
-    std::vector<frame::PartRow> rows;
-    ivec2 size;
-    {
-      const std::lock_guard lock(picture_mutex_);
-      project = drawn_.project;
-      tables = drawn_.tables;
-      rows = drawn_.rows;
-      size = picture_size_;
-    }
+    const ShownPicture::Drawn drawn = shown_.drawn();
     Pick found;
-    if (!project || size.x == 0) return found;
-    const float w = static_cast<float>(size.x), h = static_cast<float>(size.y);
+    if (!drawn.project || drawn.width == 0) return found;
+    const Project* const project = drawn.project.get();
+    const float w = static_cast<float>(drawn.width), h = static_cast<float>(drawn.height);
     const CameraFrame camera = camera_frame(project->camera, w / h);
     const vec3 direction = camera_ray(camera, 2 * x / w - 1, 1 - 2 * y / h);
-    const std::optional<Hit> hit = vamp::pick(tables->bvh, camera.origin, direction);
+    const std::optional<Hit> hit = vamp::pick(drawn.tables->bvh, camera.origin, direction);
     if (!hit) return found;
     const Scene& scene = *project->scene;
     const uvec3 corners = scene.triangles[hit->triangle];
@@ -134,7 +115,7 @@ class RenderSession::Impl {
     found.position = camera.origin + hit->t * direction;
     found.distance = hit->t;
     const Spmm& fit = *project->materials[static_cast<size_t>(found.material)].fit;
-    const size_t texel = texel_at(rows[static_cast<size_t>(found.part)], found.uv);
+    const size_t texel = texel_at(drawn.rows[static_cast<size_t>(found.part)], found.uv);
     found.cluster = static_cast<int>(fit.texels[texel].cluster_count & 255u);
     return found;
   }
@@ -152,12 +133,6 @@ class RenderSession::Impl {
   }
 
  private:
-  struct Drawn {
-    std::shared_ptr<const Project> project;
-    std::shared_ptr<const SceneTables> tables;
-    std::vector<frame::PartRow> rows;
-  };
-
   void run() {
     try {
       while (step()) {
@@ -180,12 +155,13 @@ class RenderSession::Impl {
   bool step() {
     std::shared_ptr<const Project> project;
     std::optional<ivec2> size;
+    std::optional<WeightGroup> group;
     std::string reason;
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [&] {
-        return stop_ || lose_device_ || next_project_ || next_size_ ||
-               (!refused_ && (paused_ ? busy_.load() : !finished_.load()));
+        return stop_ || lose_device_ || next_project_ || next_size_ || next_group_ ||
+               (!refused_ && (busy_.load() || (!paused_ && !finished_.load())));
       });
       if (stop_) return false;
       if (lose_device_) throw MachineError(ErrorKind::device_lost, "the device was lost on request");
@@ -193,28 +169,40 @@ class RenderSession::Impl {
       const bool hold = owes_picture_ && renderer_.replaying() && !next_size_;
       if (!hold) project = std::exchange(next_project_, nullptr);
       size = std::exchange(next_size_, std::nullopt);
+      group = std::exchange(next_group_, std::nullopt);
       if (!hold) reason = std::exchange(next_reason_, "");
     }
     while (readers_.load() > 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
     const std::lock_guard lock(renderer_mutex_);
+    if (group) renderer_.set_weights_at_hand(*group);
     if (project) take_project(std::move(project), reason);
     if (size) take_size(*size);
-    busy_ = wants_preview_ || renderer_.replaying();
-    if (refused_ || renderer_.region().width == 0) return true;
+    work();
+    busy_ = !refused_ && renderer_.region().width > 0 && (wants_preview_ || renderer_.replaying() || wants_weights());
+    const std::lock_guard state(mutex_);
+    status_.weights_at_hand = renderer_.weights_ready();
+    return true;
+  }
+
+  // What is most wanted, a tile or some 10 ms of it.
+  void work() {
+    if (refused_ || renderer_.region().width == 0) return;
+    if (std::exchange(wants_preview_, false)) return show_all(renderer_.preview(preview_stride()));
+    if (renderer_.replaying()) return shade_again();
+    if (wants_weights()) {
+      device_.wait(renderer_.gather_weights(finished_, kReplayPixels));
+      return;
+    }
     {
       // What is paused is refinement; an edit is shown.
       const std::lock_guard state(mutex_);
-      if (paused_ && !renderer_.replaying() && !wants_preview_) return true;
+      if (paused_) return;
     }
-    if (std::exchange(wants_preview_, false))
-      show_all(renderer_.preview(preview_stride()));
-    else if (renderer_.replaying())
-      shade_again();
-    else
-      refine_tile();
-    busy_ = renderer_.replaying();
-    return true;
+    if (!finished_) refine_tile();
   }
+
+  // Sums for the weights at hand come before more samples, for single channels after them.
+  bool wants_weights() const { return cursor_ == 0 && renderer_.wants_weights(finished_); }
 
   void take_project(std::shared_ptr<const Project> project, const std::string& reason) {
     const Result<Change> change = renderer_.set_project(project);
@@ -226,25 +214,25 @@ class RenderSession::Impl {
       return;
     }
     refused_ = false;
-    {
-      const std::lock_guard lock(picture_mutex_);
-      drawn_ = {project, renderer_.scene_tables(), renderer_.part_rows()};
-    }
-    if (change->restarted && change->places_moved) forget_ids();
+    shown_.draw(project, renderer_);
+    if (change->restarted && change->places_moved) shown_.forget_ids();
     if (change->restarted) restart(reason.empty() ? change->what : reason);
     if (change->reshaded > 0) begin_shading_again(reason.empty() ? change->what : reason, *change);
-    if (change->recomposed && renderer_.region().width > 0) {
-      noise_.restart();
-      show_all(renderer_.recompose());
+    const bool kept = !change->restarted && change->reshaded == 0;
+    if ((change->recomposed || change->recombined > 0) && renderer_.region().width > 0) {
+      goal_.forget_picture();
+      show_all(change->recomposed ? renderer_.recompose() : renderer_.last_submitted());
+      if (kept) shown_.set_restarted({});
     }
-    finished_ =
-        renderer_.region().width > 0 && !renderer_.replaying() && renderer_.samples() >= project->settings.max_samples;
+    finished_ = renderer_.region().width > 0 && !renderer_.replaying() && reached();
     const std::lock_guard lock(mutex_);
-    // Light and exposure are a matter of sums that are there: no pixel lost its samples.
-    if (change->recomposed && !change->restarted && change->reshaded == 0 && !reason.empty()) {
+    // Light, exposure and weights at hand are a matter of sums that are there: no pixel lost its samples.
+    if ((change->recomposed || change->recombined > 0) && kept && !reason.empty()) {
       status_.restart_reason = reason;
       status_.restarted_pixels = 0;
     }
+    if (change->restarted || change->reshaded > 0 || change->recomposed || change->recombined > 0)
+      status_.recombined_pixels = change->recombined;
     status_.project = std::move(project);
     status_.error.clear();
     status_.finished = finished_;
@@ -255,12 +243,7 @@ class RenderSession::Impl {
     if (size == ivec2(renderer_.region().width, renderer_.region().height)) return;
     const bool first = renderer_.region().width == 0;
     renderer_.set_region(size.x, size.y, {0, 0, size.x, size.y});
-    {
-      const std::lock_guard lock(picture_mutex_);
-      picture_.assign(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0xff202020u);
-      picture_size_ = size;
-    }
-    forget_ids();
+    shown_.resize(size.x, size.y);
     restart(first ? "opened" : "window resized");
   }
 
@@ -272,8 +255,9 @@ class RenderSession::Impl {
     finished_ = false;
     start_ = Clock::now();
     pass_start_ = start_;
-    noise_.restart();
+    goal_.restart(renderer_);
     ids_stale_ = true;
+    shown_.set_all_restarted();
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
     status_.samples = 0;
@@ -293,7 +277,8 @@ class RenderSession::Impl {
   void begin_shading_again(const std::string& reason, const Change& change) {
     start_ = Clock::now();
     owes_picture_ = true;
-    noise_.forget_picture();
+    goal_.forget_picture();
+    shown_.set_restarted(renderer_.replayed_pixels());
     ids_stale_ = ids_stale_ || change.places_moved;
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
@@ -311,29 +296,45 @@ class RenderSession::Impl {
     const uint32_t samples = renderer_.replayed_samples();
     const bool over = !renderer_.replaying();
     if (over && ids_stale_) update_ids();
-    finished_ = over && samples >= renderer_.project().settings.max_samples;
+    finished_ = over && reached();
     pass_start_ = Clock::now();
     pass_whole_ = cursor_ == 0;
     const std::lock_guard lock(mutex_);
     status_.samples = samples;
     status_.seconds = seconds_since(start_);
-    status_.noise = over ? noise_.at(samples) : -1;
+    status_.noise = over ? goal_.noise(renderer_) : -1;
     status_.finished = finished_;
   }
 
-  void refine_tile() {
-    const uint32_t limit = renderer_.project().settings.max_samples;
-    const uint32_t before = renderer_.samples_of(cursor_);
-    const uint64_t value = renderer_.refine(cursor_, limit);
-    device_.wait(value);
-    show_tile(cursor_, value);
-    const uint32_t batch = renderer_.samples_of(cursor_) - before;
-    if (++cursor_ < renderer_.tile_count()) return;
-    cursor_ = 0;
-    end_pass(batch, value);
+  bool reached() const {
+    const RenderSettings& settings = renderer_.project().settings;
+    return goal_.reached(renderer_, settings.max_samples, settings.noise_goal);
   }
 
-  void end_pass(uint32_t batch, uint64_t value) {
+  void refine_tile() {
+    const RenderSettings& settings = renderer_.project().settings;
+    const auto wants = [&](int tile) {
+      return goal_.wants(renderer_, tile, settings.max_samples, settings.noise_goal);
+    };
+    // Tiles that are good enough are passed over.
+    while (cursor_ < renderer_.tile_count() && !wants(cursor_)) {
+      ++cursor_;
+      pass_whole_ = false;
+    }
+    uint32_t batch = 0;
+    if (cursor_ < renderer_.tile_count()) {
+      const uint32_t before = renderer_.samples_of(cursor_);
+      const uint64_t value = renderer_.refine(cursor_, settings.max_samples);
+      device_.wait(value);
+      shown_.show_tile(renderer_, cursor_, value);
+      batch = renderer_.samples_of(cursor_) - before;
+      if (++cursor_ < renderer_.tile_count()) return;
+    }
+    cursor_ = 0;
+    end_pass(batch);
+  }
+
+  void end_pass(uint32_t batch) {
     const uint32_t samples = renderer_.samples();
     if (batch > 0 && pass_whole_) {
       pass_ms_.push_back(1e3 * seconds_since(pass_start_) / batch);
@@ -344,8 +345,8 @@ class RenderSession::Impl {
       prepared_ = renderer_.key();
       device_.wait(renderer_.prepare_replay());
     }
-    if (noise_.wants(samples)) noise_.add(samples, renderer_.linear_picture(value));
-    finished_ = samples >= renderer_.project().settings.max_samples;
+    goal_.look(renderer_);
+    finished_ = reached();
     std::vector<double> sorted(pass_ms_.begin(), pass_ms_.end());
     std::sort(sorted.begin(), sorted.end());
     {
@@ -355,7 +356,7 @@ class RenderSession::Impl {
       status_.samples = samples;
       status_.seconds = seconds_since(start_);
       status_.ms_per_sample = sorted.empty() ? 0 : sorted[sorted.size() / 2];
-      status_.noise = noise_.at(samples);
+      status_.noise = goal_.noise(renderer_);
       status_.gpu_bytes = device_.bytes_allocated();
       status_.finished = finished_;
       if (status_.ms_per_sample > 0)
@@ -363,15 +364,6 @@ class RenderSession::Impl {
     }
     pass_start_ = Clock::now();
     pass_whole_ = true;
-  }
-
-  // What was drawn from them would stand where things were.
-  void forget_ids() {
-    const std::lock_guard lock(picture_mutex_);
-    if (ids_.empty()) return;
-    ids_.clear();
-    ids_size_ = ivec2(0);
-    ++ids_version_;
   }
 
   void update_ids() {
@@ -388,35 +380,10 @@ class RenderSession::Impl {
     }
     coverage_ = static_cast<double>(covered) / static_cast<double>(pixels);
     ids_stale_ = false;
-    const std::lock_guard lock(picture_mutex_);
-    ids_ = std::move(ids);
-    ids_size_ = size;
-    ++ids_version_;
+    shown_.set_ids(std::move(ids));
   }
 
-  // Copies a tile of the display into the picture that readers get.
-  void show_tile(int tile, uint64_t value) {
-    const uint32_t* display = renderer_.mapped_display();
-    if (display == nullptr) {
-      // Without mapped memory a copy is only worth while for a whole pass.
-      if (tile + 1 == renderer_.tile_count()) show_all(value);
-      return;
-    }
-    const Region area = renderer_.tile(tile);
-    const std::lock_guard lock(picture_mutex_);
-    for (int y = area.y; y < area.y + area.height; ++y) {
-      const size_t at = static_cast<size_t>(y) * static_cast<size_t>(picture_size_.x) + static_cast<size_t>(area.x);
-      std::memcpy(&picture_[at], &display[at], static_cast<size_t>(area.width) * sizeof(uint32_t));
-    }
-    picture_version_.fetch_add(1, std::memory_order_release);
-  }
-
-  void show_all(uint64_t value) {
-    std::vector<uint32_t> display = renderer_.display_picture(value);
-    const std::lock_guard lock(picture_mutex_);
-    picture_ = std::move(display);
-    picture_version_.fetch_add(1, std::memory_order_release);
-  }
+  void show_all(uint64_t value) { shown_.show_all(renderer_, value); }
 
   gpu::Device& device_;
 
@@ -431,7 +398,7 @@ class RenderSession::Impl {
   bool ids_stale_ = true;
   KernelKey prepared_;  // for which replay's kernels are compiled
   double coverage_ = 1;
-  NoiseEstimate noise_;
+  Goal goal_;
   std::deque<double> pass_ms_;
   Clock::time_point start_ = Clock::now(), pass_start_ = start_;
 
@@ -440,19 +407,15 @@ class RenderSession::Impl {
   std::condition_variable wake_;
   std::shared_ptr<const Project> next_project_;
   std::optional<ivec2> next_size_;
+  std::optional<WeightGroup> next_group_;
+  WeightGroup asked_group_;
   std::string next_reason_;
   bool paused_ = false, stop_ = false, lose_device_ = false;
   std::atomic<bool> finished_{false}, refused_{false};
-  std::atomic<bool> busy_{false};  // something is to be shown even while refinement is paused
+  std::atomic<bool> busy_{false};  // something is due even while refinement rests
   RenderStatus status_;
 
-  // What is shown.
-  mutable std::mutex picture_mutex_;
-  std::vector<uint32_t> picture_, ids_;
-  ivec2 picture_size_{0, 0}, ids_size_{0, 0};
-  std::atomic<uint64_t> picture_version_{0};
-  uint64_t ids_version_ = 0;
-  Drawn drawn_;
+  ShownPicture shown_;
 
   std::thread thread_;
 };
@@ -468,14 +431,12 @@ void RenderSession::resize(int width, int height) { impl_->resize(width, height)
 void RenderSession::pause(bool paused) { impl_->pause(paused); }
 void RenderSession::lose_device() { impl_->lose_device(); }
 RenderStatus RenderSession::status() const { return impl_->status(); }
-uint64_t RenderSession::picture_version() const { return impl_->picture_version(); }
-bool RenderSession::copy_picture(std::vector<uint32_t>& rgba, int& width, int& height, uint64_t& version) const {
-  return impl_->copy_picture(rgba, width, height, version);
-}
+void RenderSession::set_weights_at_hand(const WeightGroup& group) { impl_->set_weights_at_hand(group); }
+uint64_t RenderSession::picture_version() const { return impl_->shown().version(); }
+bool RenderSession::copy_picture(PixelLayer& layer) const { return impl_->shown().copy_picture(layer); }
+bool RenderSession::copy_ids(PixelLayer& layer) const { return impl_->shown().copy_ids(layer); }
+bool RenderSession::copy_restarted(PixelLayer& layer) const { return impl_->shown().copy_restarted(layer); }
 Pick RenderSession::pick(float x, float y) const { return impl_->pick(x, y); }
-bool RenderSession::copy_ids(std::vector<uint32_t>& ids, int& width, int& height, uint64_t& version) const {
-  return impl_->copy_ids(ids, width, height, version);
-}
 std::vector<float> RenderSession::linear_picture(int& width, int& height, uint32_t& samples) const {
   return impl_->linear_picture(width, height, samples);
 }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/project/project.h"
+#include "engine/render/pixel_layer.h"
+#include "engine/render/weight_span.h"
 
 namespace vamp {
 
@@ -23,10 +25,12 @@ struct RenderStatus {
   float noise = -1;            // estimated relative noise, RMS over the picture; -1: not known yet
   std::string restart_reason;  // "roughness of grain in cluster 7": what the last restart was for
   uint64_t restarted_pixels = 0;
-  uint64_t bytes_uploaded = 0;  // by the last edit
+  uint64_t recombined_pixels = 0;  // changed by the last edit without a restart, from sums at hand
+  bool weights_at_hand = false;    // an edit of the selected weights would be answered so
+  uint64_t bytes_uploaded = 0;     // by the last edit
   uint64_t gpu_bytes = 0;
   double mrays_per_second = 0;
-  bool finished = false;                   // max_samples reached
+  bool finished = false;                   // max_samples or noise_goal reached
   std::shared_ptr<const Project> project;  // that the picture is of: the last one that was taken over
   std::string device;
   std::string error;  // why there is no picture of the project
@@ -54,6 +58,9 @@ class RenderSession {
   void resize(int width, int height);
   void pause(bool paused);
 
+  // Rows whose weights may be pulled next: what is selected. Cheap: call it every frame.
+  void set_weights_at_hand(const WeightGroup& group);
+
   // As if the device were lost at the next tile, for tests.
   void lose_device();
 
@@ -61,15 +68,17 @@ class RenderSession {
 
   // Number that grows whenever the picture changed.
   uint64_t picture_version() const;
-  // Copies the displayed picture (RGBA8, sRGB, row 0 on top) if it is newer than `version`, and updates `version`.
-  bool copy_picture(std::vector<uint32_t>& rgba, int& width, int& height, uint64_t& version) const;
+  // The displayed picture: RGBA8, sRGB. Copied if it is newer than the layer given.
+  bool copy_picture(PixelLayer& layer) const;
 
   // What lies under a pixel, by a CPU ray against the same hierarchy. Answers at once.
   Pick pick(float x, float y) const;
 
   // Part (low 16 bits) and cluster (high 16 bits) + 1 of each pixel's centre, 0 where nothing is; for outlines. Empty
-  // until known for the view that the picture shows; `version` as in copy_picture.
-  bool copy_ids(std::vector<uint32_t>& ids, int& width, int& height, uint64_t& version) const;
+  // until known for the view that the picture shows.
+  bool copy_ids(PixelLayer& layer) const;
+  // 1 for the pixels that the last edit restarted, else 0.
+  bool copy_restarted(PixelLayer& layer) const;
 
   // The linear accumulators of the picture so far, as a fresh command-line render writes them (RGBA float).
   std::vector<float> linear_picture(int& width, int& height, uint32_t& samples) const;

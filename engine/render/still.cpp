@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/core/clock.h"
 #include "engine/core/progress.h"
 #include "engine/gpu/device.h"
+#include "engine/render/goal.h"
 #include "engine/render/renderer.h"
 
 namespace vamp {
@@ -88,6 +90,27 @@ uint32_t samples_in_time(gpu::Device& device, Renderer& renderer, const std::vec
   return static_cast<uint32_t>(std::clamp(fits, 1.0, static_cast<double>(options.samples)));
 }
 
+double mean_samples(const Renderer& renderer) {
+  double sum = 0, pixels = 0;
+  for (int tile = 0; tile < renderer.tile_count(); ++tile) {
+    const double area = static_cast<double>(renderer.tile(tile).width) * renderer.tile(tile).height;
+    sum += area * renderer.samples_of(tile);
+    pixels += area;
+  }
+  return sum / pixels;
+}
+
+// All tiles at once where each has the same number of samples to go, else those that want more.
+void refine_once(gpu::Device& device, Renderer& renderer, Goal& goal, uint32_t samples, float noise_goal) {
+  if (noise_goal <= 0) {
+    device.wait(renderer.refine_all(samples));
+  } else {
+    for (int tile = 0; tile < renderer.tile_count(); ++tile)
+      if (goal.wants(renderer, tile, samples, noise_goal)) device.wait(renderer.refine(tile, samples));
+  }
+  goal.look(renderer);
+}
+
 }  // namespace
 
 Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> project, const StillOptions& options,
@@ -114,29 +137,34 @@ Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> p
   const uint32_t samples =
       by_time && regions.size() > 1 ? samples_in_time(device, renderer, regions, options, progress) : options.samples;
   std::vector<double> ms_per_sample;
-  double done_pixels = 0;
+  double done_pixels = 0, noise2 = 0;
   const double all_pixels = static_cast<double>(options.width) * options.height;
 
   for (const Region& region : regions) {
     renderer.set_region(options.width, options.height, region);
     const double share = static_cast<double>(region.width) * region.height / all_pixels;
     const Clock::time_point start = Clock::now();
-    uint64_t value = 0;
-    while (renderer.samples() < samples) {
-      const uint32_t before = renderer.samples();
+    Goal goal;
+    goal.restart(renderer);
+    while (!goal.reached(renderer, samples, options.noise_goal)) {
+      const double before = mean_samples(renderer);
       const Clock::time_point batch = Clock::now();
-      value = renderer.refine_all(samples);
-      device.wait(value);
-      ms_per_sample.push_back(1e3 * seconds_since(batch) / (renderer.samples() - before) / share);
-      const float part = static_cast<float>(renderer.samples()) / static_cast<float>(samples);
+      refine_once(device, renderer, goal, samples, options.noise_goal);
+      const double now = mean_samples(renderer);
+      ms_per_sample.push_back(1e3 * seconds_since(batch) / (now - before) / share);
+      const float part = static_cast<float>(now / samples);
       if (progress != nullptr) progress->fraction(static_cast<float>(done_pixels) + static_cast<float>(share) * part);
       const bool out_of_time = by_time && regions.size() == 1 && seconds_since(start) >= options.seconds;
       if (out_of_time || (progress != nullptr && progress->cancelled())) break;
     }
     still.seconds += seconds_since(start);
-    still.complete = still.complete && renderer.samples() == options.samples;
+    still.complete = still.complete && goal.reached(renderer, options.samples, options.noise_goal);
     still.samples = std::min(still.samples, renderer.samples());
+    still.mean_samples += share * mean_samples(renderer);
+    const float noise = goal.noise(renderer);
+    noise2 = noise < 0 || noise2 < 0 ? -1 : noise2 + share * double{noise} * double{noise};
 
+    uint64_t value = renderer.last_submitted();
     const std::vector<float> picture = renderer.linear_picture(value);
     std::vector<float> layers;
     if (!options.layers.empty()) {
@@ -168,6 +196,7 @@ Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> p
   std::nth_element(ms_per_sample.begin(), ms_per_sample.begin() + static_cast<std::ptrdiff_t>(ms_per_sample.size() / 2),
                    ms_per_sample.end());
   still.ms_per_sample = ms_per_sample[ms_per_sample.size() / 2];
+  still.noise = noise2 < 0 ? -1 : static_cast<float>(std::sqrt(noise2));
   return still;
 }
 

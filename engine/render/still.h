@@ -22,6 +22,7 @@ struct StillOptions {
   int width = 1280, height = 960;  // 1 to 16384 a side
   uint32_t samples = 64;           // of every pixel
   double seconds = 0;              // stops earlier when over 0, all pixels at the same number of samples
+  float noise_goal = 0;            // over 0: tiles stop earlier where their relative noise is below (goal.h)
   std::vector<Layer> layers;
 };
 
@@ -31,6 +32,8 @@ struct Still {
   // nothing is). All but the ambient occlusion are those of the pixel's centre.
   Image image;
   uint32_t samples = 0;      // of the least refined pixel
+  double mean_samples = 0;   // of a pixel
+  float noise = -1;          // estimated relative noise of the picture; -1: too few samples to know
   double seconds = 0;        // of rendering, set-up left out
   double ms_per_sample = 0;  // of the whole picture: median over its samples
   double rays = 0;           // that the picture asked for

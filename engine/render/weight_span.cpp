@@ -67,6 +67,8 @@ WeightSpan::WeightSpan(const MaterialTables& tables, const Project& project, con
     : material_(static_cast<size_t>(group.material)), place_(tables.places[material_]) {
   const MaterialInstance& material = project.materials[material_];
   const size_t bases = material.fit->dictionary.size();
+  // No visible part shows it.
+  if (tables.sums[material_].texels.empty()) return;
   cluster_count_ = material.fit->clusters.size();
   basis_count_ = cluster_count_ * bases;
   start_from(tables);

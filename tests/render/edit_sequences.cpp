@@ -155,7 +155,7 @@ void EditedPicture::run(const Sequence& sequence) {
     } else if (sequence.weights && what == 3 && !renderer.replaying()) {
       // To the end, or a part of the way.
       const uint32_t most = random() % 2 == 0 ? 1u << 20 : 1 + random() % 2000;
-      for (int i = 0; renderer.wants_weights() && (most > 2000 || i < 20); ++i) renderer.gather_weights(most);
+      for (int i = 0; renderer.wants_weights(true) && (most > 2000 || i < 20); ++i) renderer.gather_weights(true, most);
     } else if (renderer.replaying()) {
       const bool all = random() % 2 == 0;
       do renderer.replay(1 + random() % 3000);

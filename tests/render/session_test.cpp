@@ -9,14 +9,6 @@
 namespace vamp {
 namespace {
 
-// The numbers of what each pixel shows, as the last copy_ids() that had news gave them.
-struct Ids {
-  std::vector<uint32_t> pixels;
-  int width = 0, height = 0;
-  uint64_t version = 0;
-  bool update(const RenderSession& session) { return session.copy_ids(pixels, width, height, version); }
-};
-
 template <class Holds>
 bool soon(Holds holds) {
   for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(50)))
@@ -39,8 +31,8 @@ Project box_under_a_light() {
 TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
   Project project = box_under_a_light();
   RenderSession session(*device, std::make_shared<const Project>(project), 32, 24);
-  Ids ids;
-  ASSERT_TRUE(soon([&] { return ids.update(session); }));
+  PixelLayer ids;
+  ASSERT_TRUE(soon([&] { return session.copy_ids(ids); }));
   EXPECT_EQ(ids.pixels.size(), 32u * 24u);
 
   // While it is paused each change is shown in a first look, and nothing is refined.
@@ -53,14 +45,14 @@ TEST_F(RenderTest, ForgetsWhereThingsWereWhenTheViewMovesAndNotWhenALightDoes) {
   };
   project.lights[0].center.x = 1;
   ASSERT_TRUE(show(project));
-  EXPECT_FALSE(ids.update(session) && ids.pixels.empty());
+  EXPECT_FALSE(session.copy_ids(ids) && ids.pixels.empty());
   project.camera.eye.x = 1;
   ASSERT_TRUE(show(project));
-  EXPECT_TRUE(ids.update(session));
+  EXPECT_TRUE(session.copy_ids(ids));
   EXPECT_TRUE(ids.pixels.empty());
 
   session.pause(false);
-  ASSERT_TRUE(soon([&] { return ids.update(session); }));
+  ASSERT_TRUE(soon([&] { return session.copy_ids(ids); }));
   EXPECT_EQ(ids.pixels.size(), 32u * 24u);
 }
 

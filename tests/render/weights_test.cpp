@@ -26,14 +26,15 @@ class WeightsTest : public test::EditedPicture {
   }
   void gather() {
     renderer->set_weights_at_hand(group);
-    while (renderer->wants_weights()) renderer->gather_weights(900);
+    while (renderer->wants_weights(true)) renderer->gather_weights(true, 900);
   }
   void pull(vec3 gain, bool mute = false) {
     for (const BasisKey key : group.rows) {
-      BasisEdit edit = project.materials.back().edits.edit_of(key);
+      EditLayer& edits = project.materials[static_cast<size_t>(group.material)].edits;
+      BasisEdit edit = edits.edit_of(key);
       edit.gain = gain;
       edit.mute = mute;
-      project.materials.back().edits.set(key, edit);
+      edits.set(key, edit);
     }
     show(*renderer, project);
   }
@@ -91,19 +92,21 @@ TEST_F(WeightsTest, LaterSamplesAreOfTheEditedMaterialAndGatheredToo) {
 }
 
 TEST_F(WeightsTest, BeforeTheirSumsAreThereWeightsAreShadedAgain) {
-  before = finish(*renderer, 20);
+  // The larger ball: more than is caught up at once.
+  group.material -= 1;
+  before = finish(*renderer, 400);
   renderer->set_weights_at_hand(group);
-  renderer->gather_weights(100);
+  renderer->gather_weights(true, 100);
   EXPECT_FALSE(renderer->weights_ready());
   pull(vec3(0.4f));
   EXPECT_EQ(last.recombined, 0u);
   EXPECT_GT(last.reshaded, 0u);
-  EXPECT_TRUE(test::same_bytes(fresh(project, 20), finish(*renderer, 20)));
+  EXPECT_TRUE(test::same_bytes(fresh(project, 400), finish(*renderer, 400)));
   // What was gathered is not lost.
   gather();
   pull(vec3(1.1f));
   EXPECT_GT(last.recombined, 0u);
-  expect_fresh(20);
+  expect_fresh(400);
 }
 
 TEST_F(WeightsTest, AnEditOfShapeIsShadedAgainAndTheSumsAreMadeAnew) {

@@ -1,0 +1,90 @@
+#include "engine/render/shown_picture.h"
+
+#include <cstring>
+
+namespace vamp {
+
+bool ShownPicture::copy(const PixelLayer& from, PixelLayer& to) const {
+  const std::lock_guard lock(mutex_);
+  if (to.version == from.version) return false;
+  to = from;
+  return true;
+}
+
+ShownPicture::Drawn ShownPicture::drawn() const {
+  const std::lock_guard lock(mutex_);
+  Drawn drawn = drawn_;
+  drawn.width = picture_.width;
+  drawn.height = picture_.height;
+  return drawn;
+}
+
+void ShownPicture::draw(std::shared_ptr<const Project> project, const Renderer& renderer) {
+  const std::lock_guard lock(mutex_);
+  drawn_ = {std::move(project), renderer.scene_tables(), renderer.part_rows()};
+}
+
+void ShownPicture::resize(int width, int height) {
+  constexpr uint32_t kDark = 0xff202020u;
+  {
+    const std::lock_guard lock(mutex_);
+    picture_.width = width;
+    picture_.height = height;
+    picture_.pixels.assign(static_cast<size_t>(width) * static_cast<size_t>(height), kDark);
+  }
+  forget_ids();
+}
+
+void ShownPicture::show_tile(Renderer& renderer, int tile, uint64_t value) {
+  const uint32_t* display = renderer.mapped_display();
+  if (display == nullptr) {
+    // Without mapped memory a copy is only worth while for a whole pass.
+    if (tile + 1 == renderer.tile_count()) show_all(renderer, value);
+    return;
+  }
+  const Region area = renderer.tile(tile);
+  const std::lock_guard lock(mutex_);
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    const size_t at = static_cast<size_t>(y) * static_cast<size_t>(picture_.width) + static_cast<size_t>(area.x);
+    std::memcpy(&picture_.pixels[at], &display[at], static_cast<size_t>(area.width) * sizeof(uint32_t));
+  }
+  version_.store(++picture_.version, std::memory_order_release);
+}
+
+void ShownPicture::show_all(Renderer& renderer, uint64_t value) {
+  std::vector<uint32_t> display = renderer.display_picture(value);
+  const std::lock_guard lock(mutex_);
+  picture_.pixels = std::move(display);
+  version_.store(++picture_.version, std::memory_order_release);
+}
+
+void ShownPicture::replace(PixelLayer& layer, std::vector<uint32_t> pixels) {
+  layer.pixels = std::move(pixels);
+  layer.width = layer.pixels.empty() ? 0 : picture_.width;
+  layer.height = layer.pixels.empty() ? 0 : picture_.height;
+  ++layer.version;
+}
+
+void ShownPicture::forget_ids() {
+  const std::lock_guard lock(mutex_);
+  if (!ids_.pixels.empty()) replace(ids_, {});
+}
+
+void ShownPicture::set_ids(std::vector<uint32_t> ids) {
+  const std::lock_guard lock(mutex_);
+  replace(ids_, std::move(ids));
+}
+
+void ShownPicture::set_restarted(const std::vector<uint32_t>& pixels) {
+  const std::lock_guard lock(mutex_);
+  std::vector<uint32_t> marks(picture_.pixels.size());
+  for (const uint32_t pixel : pixels) marks[pixel] = 1;
+  replace(restarted_, std::move(marks));
+}
+
+void ShownPicture::set_all_restarted() {
+  const std::lock_guard lock(mutex_);
+  replace(restarted_, std::vector<uint32_t>(picture_.pixels.size(), 1));
+}
+
+}  // namespace vamp
