@@ -26,6 +26,21 @@ class Bench {
     wait([&] { return session_.status().finished; });
   }
 
+  // Selects rows, and tells after how many milliseconds their weights are at hand, at all samples.
+  void select(const std::string& what, const WeightGroup& group, int rounds) {
+    Series series;
+    for (int round = 0; round < rounds; ++round) {
+      session_.set_weights_at_hand({});
+      wait([&] { return !session_.status().weights_at_hand; });
+      const Stopwatch watch;
+      session_.set_weights_at_hand(group);
+      wait([&] { return session_.status().weights_at_hand; });
+      series.add(watch.stop());
+    }
+    report_.row({what, "", "", fmt::format("{:.0f} ({:.0f})", series.wall(), series.wall(0.95))});
+    report_.data()["edits"].push_back(Json{{"edit", what}, {"at_hand", series.json()}});
+  }
+
   // `edit` changes the project, a little differently each round.
   void measure(const std::string& what, int rounds, const std::function<void(Project&, int round)>& edit) {
     Series first, back;
@@ -87,6 +102,21 @@ Result<Report> bench_edit(gpu::Device& device, Project project, const EditBench&
                 [&](Project& p, int round) { tilt(p, round, clusters / 2, clusters / 2 + 1); });
   bench.measure("normal of all functions of a material", options.rounds,
                 [&](Project& p, int round) { tilt(p, round, 0, clusters); });
+  // A function of one cluster, then of all.
+  for (const int end : {clusters / 2 + 1, clusters}) {
+    const int first = end == clusters ? 0 : clusters / 2;
+    const std::string where = end == clusters ? "in all clusters" : "in a cluster";
+    WeightGroup group{static_cast<int>(material), {}};
+    for (int c = first; c < end; ++c) group.rows.push_back({c, 0});
+    bench.select("selected: a function " + where, group, options.rounds);
+    bench.measure("its weight, pulled " + where, options.rounds, [&](Project& p, int round) {
+      for (const BasisKey key : group.rows) {
+        BasisEdit edit = p.materials[material].edits.edit_of(key);
+        edit.gain = vec3(1.5f + 0.1f * static_cast<float>(round));
+        p.materials[material].edits.set(key, edit);
+      }
+    });
+  }
   if (!project.lights.empty())
     bench.measure("power of a light", options.rounds, [&](Project& p, int) { p.lights[0].power *= 1.1f; });
   bench.measure("everything again (another seed)", std::max(options.rounds / 4, 1),

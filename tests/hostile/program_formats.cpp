@@ -94,7 +94,13 @@ void write_project(const fs::path& folder) { EXPECT_TRUE(save_project(sound_proj
 Result<Loaded> load_a_project(const fs::path& folder) { return checked(load_project(folder / "a.vampproj")); }
 
 void write_job(const fs::path& folder) {
-  const Job job{sound_project(folder), 64, 48, 16, true, "a device", "a driver"};
+  const Job job{.project = sound_project(folder),
+                .width = 64,
+                .height = 48,
+                .samples = 16,
+                .noise_goal = 0.05f,
+                .device = "a device",
+                .driver = "a driver"};
   EXPECT_TRUE(write_text_atomically(folder / "job.json", job_to_text(job, folder).value()));
 }
 Result<Loaded> load_job(const fs::path& folder) {

@@ -57,6 +57,7 @@ class ProjectFile : public testing::Test {
     project_.settings.seed = 4000000000u;
     project_.settings.ao_radius = 0.123f;
     project_.settings.tap = TexelTap::four;
+    project_.settings.noise_goal = 0.03f;
     project_.display = {-1.5f, ToneMap::none};
   }
 
@@ -306,7 +307,13 @@ TEST_F(ProjectFile, OpensModelsAndProjectsAndNothingElse) {
 }
 
 TEST_F(ProjectFile, JobOfASnapshotMadeElsewhereFindsItsFilesAndTellsNoFolder) {
-  const Job job{project_, 640, 480, 64, true, "llvmpipe", "Mesa"};
+  const Job job{.project = project_,
+                .width = 640,
+                .height = 480,
+                .samples = 64,
+                .noise_goal = 0.02f,
+                .device = "llvmpipe",
+                .driver = "Mesa"};
   fs::create_directories(home_.path() / "pictures");
   const auto text = job_to_text(job, home_.path() / "pictures");
   ASSERT_TRUE(text) << text.error().message();
@@ -316,6 +323,7 @@ TEST_F(ProjectFile, JobOfASnapshotMadeElsewhereFindsItsFilesAndTellsNoFolder) {
   expect_same(project_, back->project);
   EXPECT_EQ(back->width, 640u);
   EXPECT_EQ(back->samples, 64u);
+  EXPECT_EQ(back->noise_goal, 0.02f);
 }
 
 TEST_F(ProjectFile, JobOfAModelThatHasChangedIsRefused) {

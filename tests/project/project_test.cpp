@@ -129,6 +129,7 @@ TEST(Validate, RefusesWhatTheRendererCannotTake) {
       {"mirror_f0", [](Project& p) { p.parts[0].mirror_f0 = 1.5f; }},
       {"camera.fov", [](Project& p) { p.camera.fov_degrees = 0; }},
       {"max_samples", [](Project& p) { p.settings.max_samples = 0; }},
+      {"noise_goal", [](Project& p) { p.settings.noise_goal = -1; }},
       {"exposure", [](Project& p) { p.display.exposure = 100; }},
       {"basis 9",
        [](Project& p) {

@@ -1,6 +1,7 @@
 // What the interactive renderer tells of its picture while the view moves and lights change.
 #include "engine/render/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -70,6 +71,50 @@ TEST_F(RenderTest, SaysThatNoPixelRestartedWhereSumsAreWeighedAnew) {
   EXPECT_EQ(status.restarted_pixels, 0u);
   EXPECT_EQ(status.restart_reason, "power of a light");
   EXPECT_EQ(status.samples, 2u);
+}
+
+TEST_F(RenderTest, TheSelectedWeightFollowsWithAllItsSamples) {
+  Project project = box_under_a_light();
+  put_material(project, "box", make_rich_material(5));
+  project.settings.max_samples = 32;
+  RenderSession session(*device, std::make_shared<const Project>(project), 48, 40);
+  WeightGroup group;
+  group.material = static_cast<int>(project.materials.size()) - 1;
+  group.rows = {{0, 1}, {1, 1}};
+  session.set_weights_at_hand(group);
+  ASSERT_TRUE(soon([&] { return session.status().finished && session.status().weights_at_hand; }));
+  BasisEdit edit;
+  edit.gain = vec3(1.5f);
+  for (const BasisKey key : group.rows) project.materials.back().edits.set(key, edit);
+  session.set_project(std::make_shared<const Project>(project), "weight of a function");
+  ASSERT_TRUE(soon([&] { return session.status().restart_reason == "weight of a function"; }));
+  const RenderStatus status = session.status();
+  EXPECT_EQ(status.samples, 32u);
+  EXPECT_EQ(status.restarted_pixels, 0u);
+  EXPECT_GT(status.recombined_pixels, 0u);
+  PixelLayer restarted;
+  ASSERT_TRUE(session.copy_restarted(restarted));
+  EXPECT_TRUE(std::all_of(restarted.pixels.begin(), restarted.pixels.end(), [](uint32_t mark) { return mark == 0; }));
+}
+
+TEST_F(RenderTest, WhatAnEditRestartedIsMarked) {
+  Project project = box_under_a_light();
+  put_material(project, "box", make_rich_material(5));
+  project.settings.max_samples = 8;
+  RenderSession session(*device, std::make_shared<const Project>(project), 48, 40);
+  ASSERT_TRUE(soon([&] { return session.status().finished; }));
+  PixelLayer restarted;
+  ASSERT_TRUE(session.copy_restarted(restarted));
+  const auto marked = [&] { return std::count(restarted.pixels.begin(), restarted.pixels.end(), 1u); };
+  EXPECT_EQ(marked(), 48 * 40);
+  BasisEdit edit;
+  edit.psi = 1;
+  project.materials.back().edits.set({0, 1}, edit);
+  session.set_project(std::make_shared<const Project>(project), "angle of a function");
+  ASSERT_TRUE(soon([&] { return session.copy_restarted(restarted); }));
+  EXPECT_EQ(static_cast<uint64_t>(marked()), session.status().restarted_pixels);
+  EXPECT_GT(marked(), 0);
+  EXPECT_LT(marked(), 48 * 40);
 }
 
 }  // namespace
