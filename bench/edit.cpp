@@ -29,6 +29,7 @@ class Bench {
   // Selects rows, and tells after how many milliseconds their weights are at hand, at all samples.
   void select(const std::string& what, const WeightGroup& group, int rounds) {
     Series series;
+    selected_ = true;
     for (int round = 0; round < rounds; ++round) {
       session_.set_weights_at_hand({});
       wait([&] { return !session_.status().weights_at_hand; });
@@ -41,11 +42,18 @@ class Bench {
     report_.data()["edits"].push_back(Json{{"edit", what}, {"at_hand", series.json()}});
   }
 
+  void select_nothing() {
+    session_.set_weights_at_hand({});
+    selected_ = false;
+  }
+
   // `edit` changes the project, a little differently each round.
   void measure(const std::string& what, int rounds, const std::function<void(Project&, int round)>& edit) {
     Series first, back;
     uint64_t pixels = 0;
     for (int round = 0; round < rounds; ++round) {
+      // What is selected has had the time to be gathered.
+      if (selected_) wait([&] { return session_.status().weights_at_hand; });
       edit(project_, round);
       const auto next = std::make_shared<const Project>(project_);
       const Stopwatch watch;
@@ -77,6 +85,7 @@ class Bench {
   Project project_;
   Report& report_;
   RenderSession session_;
+  bool selected_ = false;
 };
 
 }  // namespace
@@ -117,6 +126,7 @@ Result<Report> bench_edit(gpu::Device& device, Project project, const EditBench&
       }
     });
   }
+  bench.select_nothing();
   if (!project.lights.empty())
     bench.measure("power of a light", options.rounds, [&](Project& p, int) { p.lights[0].power *= 1.1f; });
   bench.measure("everything again (another seed)", std::max(options.rounds / 4, 1),

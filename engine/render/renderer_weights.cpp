@@ -43,7 +43,7 @@ void Renderer::make_weight_sums() {
 }
 
 std::optional<WeightSums::Step> Renderer::next_weight_step(bool tints) const {
-  for (size_t k = 0; k < std::min<size_t>(weights_->directions.size(), tints ? 3 : 1); ++k) {
+  for (size_t k = 0; k < std::min(weights_->directions.size(), tints ? ~size_t{0} : weights_->span.needed()); ++k) {
     const std::vector<uint32_t>& have = weights_->directions[k].samples;
     WeightSums::Step step;
     step.direction = k;
@@ -116,7 +116,10 @@ uint64_t Renderer::gather_weights(bool tints, uint32_t most) {
   return value;
 }
 
-bool Renderer::weights_ready() const { return weights_ && !replaying() && weights_->ready(samples_) > 0; }
+bool Renderer::weights_ready() const {
+  if (!weights_ || replaying() || weights_->span.directions().empty()) return false;
+  return weights_->ready(samples_) >= weights_->span.needed();
+}
 
 bool Renderer::tints_ready() const {
   return weights_ready() && weights_->ready(samples_) == weights_->span.directions().size();
@@ -137,7 +140,7 @@ std::optional<std::vector<double>> Renderer::steps_of_weights() {
     return most * weights_->listed.size();
   };
   for (size_t k = 0; k < weights_->directions.size() && behind(weights_->directions[k]) <= kCaughtUpAtOnce; ++k)
-    while (weights_->directions[k].samples != samples_ && wants_weights(k > 0)) gather_weights(k > 0, ~0u);
+    while (weights_->directions[k].samples != samples_ && wants_weights(true)) gather_weights(true, ~0u);
   return weights_->span.steps_to(material_tables_, weights_->ready(samples_));
 }
 

@@ -78,21 +78,40 @@ WeightSpan::WeightSpan(const MaterialTables& tables, const Project& project, con
         static_cast<size_t>(key.basis) < bases)
       rows.push_back(key);
 
+  if (rows.empty()) return;
+  const BasisEdit first = material.edits.edit_of(rows.front());
+  const bool mixed = std::any_of(rows.begin(), rows.end(), [&](BasisKey key) {
+    const BasisEdit edit = material.edits.edit_of(key);
+    return edit.gain != first.gain || edit.mute != first.mute;
+  });
+  const vec3 gain = first.gain != vec3(0) ? first.gain : vec3(1);
   const FitSums& sums = tables.sums[material_];
+  const EditedTables common = at_gain(material, sums, rows, gain);
   const EditedTables zero = at_gain(material, sums, rows, vec3(0));
-  for (const vec3 gain : {vec3(1), vec3(1, 0, 0), vec3(0, 1, 0)}) {
-    const EditedTables one = at_gain(material, sums, rows, gain);
-    Direction direction{difference(tables.bases, place_.basis, one.bases, zero.bases),
-                        difference(tables.clusters, place_.cluster, one.clusters, zero.clusters)};
-    uint32_t seen = 0;
-    for (uint32_t i = 0; i < basis_count_; ++i)
-      if (weighs(direction.bases[place_.basis + i])) seen |= seen_bit(material_, i / static_cast<uint32_t>(bases));
-    for (uint32_t c = 0; c < cluster_count_; ++c)
-      if (weighs(direction.clusters[place_.cluster + c])) seen |= seen_bit(material_, c);
-    if (seen == 0) continue;
-    seen_ |= seen;
-    directions_.push_back(std::move(direction));
+  if (mixed) add_direction(tables, common, {bases_, clusters_});
+  add_direction(tables, common, zero);
+  needed_ = directions_.size();
+  // The brightest channel follows from the scale and the other two.
+  const int brightest = gain.x >= std::max(gain.y, gain.z) ? 0 : (gain.y >= gain.z ? 1 : 2);
+  for (int i = 1; i <= 2; ++i) {
+    vec3 tint(0);
+    tint[(brightest + i) % 3] = 1;
+    add_direction(tables, at_gain(material, sums, rows, tint), zero);
   }
+}
+
+void WeightSpan::add_direction(const MaterialTables& tables, const EditedTables& to, const EditedTables& from) {
+  Direction direction{difference(tables.bases, place_.basis, to.bases, from.bases),
+                      difference(tables.clusters, place_.cluster, to.clusters, from.clusters)};
+  const auto bases = static_cast<uint32_t>(basis_count_ / cluster_count_);
+  uint32_t seen = 0;
+  for (uint32_t i = 0; i < basis_count_; ++i)
+    if (weighs(direction.bases[place_.basis + i])) seen |= seen_bit(material_, i / bases);
+  for (uint32_t c = 0; c < cluster_count_; ++c)
+    if (weighs(direction.clusters[place_.cluster + c])) seen |= seen_bit(material_, c);
+  if (seen == 0) return;
+  seen_ |= seen;
+  directions_.push_back(std::move(direction));
 }
 
 void WeightSpan::start_from(const MaterialTables& now) {
@@ -120,8 +139,8 @@ std::optional<std::vector<double>> WeightSpan::steps_to(const MaterialTables& no
             [&](size_t k) { return weights_of(directions_[k].clusters[place_.cluster + c]); });
   };
 
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(count);
   each_row([&](const Weights& before, const Weights& after, const auto& along) {
     for (Eigen::Index k = 0; k < count; ++k) {
       const Weights d = along(static_cast<size_t>(k));
@@ -132,8 +151,7 @@ std::optional<std::vector<double>> WeightSpan::steps_to(const MaterialTables& no
       }
     }
   });
-  const Eigen::VectorXd steps =
-      products.topLeftCorner(count, count).completeOrthogonalDecomposition().solve(moved.head(count));
+  const Eigen::VectorXd steps = products.completeOrthogonalDecomposition().solve(moved);
 
   bool all_of_the_way = true;
   each_row([&](const Weights& before, const Weights& after, const auto& along) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/material/edit_layer.h"
+#include "engine/material/tables.h"
 #include "engine/render/material_tables.h"
 
 namespace vamp {
@@ -17,8 +17,9 @@ struct WeightGroup {
   bool operator==(const WeightGroup&) const = default;
 };
 
-// How the tables of all materials move with the gain of a group: a step of 1 adds a gain of 1 in all channels, in red,
-// or in green (blue is what is left of the first). Directions that move nothing are left out.
+// How the tables of all materials move with the gain of a group. Where its rows have different gains, the first
+// direction leads to one gain for all. Then comes the one that scales it, or white where it is black, and two that tint
+// it. Directions that move nothing are left out.
 class WeightSpan {
  public:
   // `tables` are the project's. Rows that the material does not have are ignored.
@@ -30,6 +31,8 @@ class WeightSpan {
     std::vector<tables::ClusterRow> clusters;
   };
   const std::vector<Direction>& directions() const { return directions_; }
+  // Of which so many are needed to make all channels lighter or darker.
+  size_t needed() const { return needed_; }
   // Clusters that move, as bits of what pixels have seen.
   uint32_t seen() const { return seen_; }
 
@@ -40,12 +43,15 @@ class WeightSpan {
   void start_from(const MaterialTables& now);
 
  private:
+  void add_direction(const MaterialTables& tables, const EditedTables& to, const EditedTables& from);
+
   size_t material_;
   MaterialTables::Place place_;
   size_t basis_count_ = 0, cluster_count_ = 0;  // rows of the material
   std::vector<tables::BasisRow> bases_;         // of the material, where steps count from
   std::vector<tables::ClusterRow> clusters_;
   std::vector<Direction> directions_;
+  size_t needed_ = 0;
   uint32_t seen_ = 0;
 };
 

@@ -133,6 +133,31 @@ TEST_F(WeightsTest, AnotherFunctionsWeightIsShadedAgain) {
   EXPECT_GT(last.reshaded, 0u);
 }
 
+TEST_F(WeightsTest, RowsOfDifferentGainsAreBroughtToOneAtOnce) {
+  BasisEdit edit;
+  edit.gain = vec3(0.3f, 0.2f, 0);
+  project.materials.back().edits.set(group.rows[1], edit);
+  show(*renderer, project);
+  before = finish(*renderer, 8);
+  gather();
+  for (const float gain : {0.8f, 0.1f, 1.7f}) {
+    pull(vec3(gain, 0.5f * gain, 0.9f));
+    EXPECT_GT(last.recombined, 0u);
+    expect_fresh(8);
+  }
+}
+
+TEST_F(WeightsTest, ATintedWeightIsScaledByTheFirstSums) {
+  pull(vec3(0.5f, 0.25f, 0.1f));
+  before = finish(*renderer, 8);
+  renderer->set_weights_at_hand(group);
+  while (renderer->wants_weights(false)) renderer->gather_weights(false, 900);
+  EXPECT_TRUE(renderer->weights_ready());
+  pull(vec3(1, 0.5f, 0.2f));
+  EXPECT_GT(last.recombined, 0u);
+  expect_fresh(8);
+}
+
 TEST_F(WeightsTest, AMirrorsReflectionOfALampIsNotPulled) {
   project.parts[0].mirror_f0 = 0.6f;
   // Behind the camera's view of the floor, so that the lamp itself is seen in it.
