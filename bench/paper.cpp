@@ -63,7 +63,8 @@ Status measure(gpu::Device& device, const PaperBench& options, const std::string
                Report& report) {
   std::vector<std::unique_ptr<SampleCost>> costs;
   for (Step& step : steps) {
-    VAMP_TRY(auto cost, SampleCost::make(device, std::move(step.project), options.side, options.side));
+    VAMP_TRY(auto cost,
+             SampleCost::make(device, std::move(step.project), options.side, options.side, SampleCost::Rounds::single));
     costs.push_back(std::move(cost));
   }
   for (int round = 0; round < options.rounds; ++round)

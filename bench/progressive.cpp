@@ -81,7 +81,7 @@ Image Progressive::mean(int side) {
   return enlarged(image, side);
 }
 
-Result<ErrorCurve> Progressive::run(uint32_t seed, uint32_t most, const Image& reference) {
+Result<ErrorCurve> Progressive::run(uint32_t seed, uint32_t most, const Image& reference, double enough) {
   ErrorCurve curve;
   sum_.clear();
   samples_ = 0;
@@ -93,6 +93,7 @@ Result<ErrorCurve> Progressive::run(uint32_t seed, uint32_t most, const Image& r
     VAMP_TRY(const CompareReport errors, compare_images(mean(reference.width), reference, {}, "picture", "reference"));
     const ChannelErrors& colours = errors.sets.front();
     curve.push_back({samples, ms, colours.rel_mse, colours.mssim.value_or(0)});
+    if (colours.rel_mse < enough) break;
   }
   return curve;
 }
@@ -107,7 +108,8 @@ Result<Image> Progressive::picture(uint32_t seed, uint32_t samples) {
 }
 
 ErrorCurve mean_of(const std::vector<ErrorCurve>& runs) {
-  ErrorCurve mean = runs.front();
+  ErrorCurve mean = *std::min_element(runs.begin(), runs.end(),
+                                      [](const ErrorCurve& a, const ErrorCurve& b) { return a.size() < b.size(); });
   for (size_t i = 0; i < mean.size(); ++i) {
     std::vector<double> times;
     mean[i].rel_mse = mean[i].mssim = 0;

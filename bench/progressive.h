@@ -29,8 +29,9 @@ class Progressive {
   // Compiles the kernels. Throws MachineError.
   static Result<std::unique_ptr<Progressive>> make(gpu::Device& device, Project project, Way way);
 
-  // The errors at 1, 2, 4 .. `most` samples. Different seeds are different pictures. Only the device's work is timed.
-  Result<ErrorCurve> run(uint32_t seed, uint32_t most, const Image& reference);
+  // The errors at 1, 2, 4 .. `most` samples, or until relMSE is `enough`. Different seeds are different pictures. Only
+  // the device's work is timed.
+  Result<ErrorCurve> run(uint32_t seed, uint32_t most, const Image& reference, double enough = 0);
 
   // The picture itself: linear R, G, B.
   Result<Image> picture(uint32_t seed, uint32_t samples);
@@ -52,7 +53,7 @@ class Progressive {
   std::vector<double> sum_;  // of independent pictures, RGBA
 };
 
-// The mean errors and median times of several runs to the same numbers of samples.
+// The mean errors and median times of several runs, as far as all of them went.
 ErrorCurve mean_of(const std::vector<ErrorCurve>& runs);
 
 // The time at which a curve comes down to `rel_mse`, between its points as powers; -1: it does not.

@@ -4,12 +4,13 @@
 
 namespace vamp {
 
-Result<std::unique_ptr<SampleCost>> SampleCost::make(gpu::Device& device, Project project, int width, int height) {
+Result<std::unique_ptr<SampleCost>> SampleCost::make(gpu::Device& device, Project project, int width, int height,
+                                                     Rounds rounds) {
   std::unique_ptr<SampleCost> cost(new SampleCost(device, std::move(project)));
   VAMP_CHECK_STATUS(cost->begin());
   cost->renderer_.set_region(width, height, {0, 0, width, height});
   // Kernels are compiled at their first dispatch.
-  VAMP_CHECK_STATUS(cost->round());
+  VAMP_CHECK_STATUS(rounds == Rounds::all ? cost->round() : cost->single_round());
   cost->single = cost->batch = {};
   return cost;
 }

@@ -8,8 +8,11 @@ namespace vamp {
 
 class SampleCost {
  public:
+  // What is to be measured: single_round() alone needs fewer kernels.
+  enum class Rounds { all, single };
   // A picture of so many pixels; compiles the kernels. Throws MachineError.
-  static Result<std::unique_ptr<SampleCost>> make(gpu::Device& device, Project project, int width, int height);
+  static Result<std::unique_ptr<SampleCost>> make(gpu::Device& device, Project project, int width, int height,
+                                                  Rounds rounds = Rounds::all);
 
   // Once: a sample with a primary ray of its own, and one of four that share a primary ray and a dispatch.
   Status round();

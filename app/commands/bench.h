@@ -16,7 +16,7 @@ void add_bench_materials(CLI::App& bench, CommonOptions& common, Action& action)
 void add_bench_measured(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_mixture(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_paper(CLI::App& bench, CommonOptions& common, Action& action);
-void add_bench_pathtracer(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_peers(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_rays(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_shading(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_speed_error(CLI::App& bench, CommonOptions& common, Action& action);

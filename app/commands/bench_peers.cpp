@@ -1,9 +1,9 @@
-// `vamp bench pathtracer`: a sample beside a frame of Embree's path tracer.
+// `vamp bench peers`: a sample beside those of other path tracers.
 #include <CLI/CLI.hpp>
 
 #include "app/commands/bench.h"
 #include "app/commands/option_values.h"
-#include "bench/pathtracer.h"
+#include "bench/peers.h"
 #include "bench/scene.h"
 #include "engine/gpu/device.h"
 
@@ -15,7 +15,7 @@ struct Options {
 };
 
 Result<Report> run(const Options& options, const CommonOptions& common) {
-  PathtracerBench bench;
+  PeersBench bench;
   VAMP_TRY(const uint32_t rounds, count_option(options.rounds, "--rounds", 1, 1000));
   VAMP_TRY(const uint32_t side, count_option(options.side, "--size", 64, 4096));
   VAMP_TRY(Project project, bench_project(options.scene, options.without));
@@ -24,16 +24,15 @@ Result<Report> run(const Options& options, const CommonOptions& common) {
   bench.scene_words = scene_words(options.scene, project);
   bench.rounds = static_cast<int>(rounds);
   bench.side = static_cast<int>(side);
-  return bench_pathtracer(*device, std::move(project), bench);
+  return bench_peers(*device, std::move(project), bench);
 }
 
 }  // namespace
 
-void add_bench_pathtracer(CLI::App& bench, CommonOptions& common, Action& action) {
+void add_bench_peers(CLI::App& bench, CommonOptions& common, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_benchmark(bench, "pathtracer", "A sample beside a frame of Embree's own path tracer (package embree-tools)",
-                    common, action, [options, &common] { return run(*options, common); });
+  CLI::App* verb = add_benchmark(bench, "peers", "A sample beside those of Embree's path tracer and of Cycles", common,
+                                 action, [options, &common] { return run(*options, common); });
   verb->add_option("scene", options->scene, "Model or project, or shapes[:TRIANGLES]; the shipped shoe if none");
   verb->add_option("--without", options->without, "Leave out a part")->type_name("PART");
   verb->add_option("--rounds", options->rounds, "How often each is measured")->type_name("N")->capture_default_str();
