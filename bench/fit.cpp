@@ -34,7 +34,7 @@ struct Bar {
   bool percent = false;
 };
 
-const Json& usual(const Json& figures) { return figures["curves"][fmt::format("{} clusters", kFitClusters)]; }
+const Json& usual(const Json& figures) { return figures["curve"]; }
 
 double over_svd10(const Json& figures, const char* key) {
   return value(named(usual(figures), "with 4 terms"), key) / value(named(usual(figures), "svd rank 10"), key);
@@ -54,10 +54,9 @@ double svd_of(const Json& rows, double kib, const char* key) {
 }
 
 // A representation's error over that of a truncated SVD of the same bytes.
-double over_equal_bytes(const Json& figures, int clusters, const char* name, const char* key) {
-  const Json& rows = figures["curves"][fmt::format("{} clusters", clusters)];
-  const Json& ours = named(rows, name);
-  return value(ours, key) / svd_of(rows, value(ours, "kib"), key);
+double over_equal_bytes(const Json& figures, const char* name, const char* key) {
+  const Json& ours = named(usual(figures), name);
+  return value(ours, key) / svd_of(usual(figures), value(ours, "kib"), key);
 }
 
 std::vector<Bar> bars() {
@@ -69,20 +68,18 @@ std::vector<Bar> bars() {
   return {
       {"4 terms / SVD of rank 10, measured", [](const Json& f) { return over_svd10(f, "measured"); }, "< 1"},
       {"4 terms / SVD of rank 10, between", [](const Json& f) { return over_svd10(f, "between"); }, "< 1"},
-      {"4 terms / SVD of equal bytes, between, 2 clusters",
-       [](const Json& f) { return over_equal_bytes(f, 2, "with 4 terms", "between"); }, ""},
       {"4 terms / SVD of equal bytes, between",
-       [](const Json& f) { return over_equal_bytes(f, kFitClusters, "with 4 terms", "between"); },
-       "1.35 on four, 1.5 on all"},
+       [](const Json& f) { return over_equal_bytes(f, "with 4 terms", "between"); }, "1.35 on four, 1.5 on all"},
       {"shared residual of 32 terms / SVD of equal bytes, between",
-       [](const Json& f) { return over_equal_bytes(f, kFitClusters, "shared 32", "between"); }, "< 1 on two"},
+       [](const Json& f) { return over_equal_bytes(f, "shared 32", "between"); }, "< 1 on two"},
       {"3 functions of many / SRF", few("few_any"), "0.8"},
       {"3 functions of 32 / SRF", few("few"), "0.9"},
       {"MSSIM at two texels a pixel", [](const Json& f) { return value(named(usual(f), "with 4 terms"), "mssim"); },
        "0.96 on four, 0.93 on all"},
       {"error between the directions, %",
        [](const Json& f) { return value(named(usual(f), "with 4 terms"), "between"); }, "25; 12 shallow or fine", true},
-      {"noise of the measurement between, %", [](const Json& f) { return value(f, "noise_between"); }, "", true},
+      {"noise of the measurement, %", [](const Json& f) { return value(f, "noise"); }, "", true},
+      {"noise between, %", [](const Json& f) { return value(f, "noise_between"); }, "", true},
       {"32 bases / many",
        [](const Json& f) {
          return f.contains("any")
@@ -126,13 +123,11 @@ Figure panels(const std::vector<const FitMaterial*>& materials, const std::vecto
       for (const vec2 p : points) figure.area(p - 2.f, vec2(4), colour);
       if (points.size() > 1) figure.line(std::move(points), colour, 1.4f);
     };
-    for (const auto& [name, rows] : all[i]["curves"].items()) {
-      Json material = Json::array();
-      for (const Json& row : rows)
-        if (const auto each = row["name"].get<std::string>(); each == "functions" || each.starts_with("with"))
-          material.push_back(row);
-      draw(material, "", kBlue);
-    }
+    Json material = Json::array();
+    for (const Json& row : usual(all[i]))
+      if (const auto each = row["name"].get<std::string>(); each == "functions" || each.starts_with("with"))
+        material.push_back(row);
+    draw(material, "", kBlue);
     draw(usual(all[i]), "svd", kGrey);
     draw(usual(all[i]), "shared", kGreen);
     draw(usual(all[i]), "srf", kRed);
@@ -173,13 +168,13 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     VAMP_TRY(Json figures, fit_figures(*material, options.data, options.threads, progress));
     all.push_back(std::move(figures));
   }
-  Report report("fit",
-                fmt::format("Synthetic: {0} x {0} texels, {1} paths a texel and view, {2} between the directions; {3} "
-                            "clusters unless said. Errors are relative RMSE, all pairs alike.",
-                            options.data.size, options.data.samples, 2 * options.data.samples, kFitClusters));
+  Report report(
+      "fit", fmt::format("Synthetic: {0} x {0} texels, {1} paths a texel and view, {2} between the directions; {3} "
+                         "clusters. Errors are relative RMSE, all pairs alike.",
+                         options.data.size, options.data.samples, kPathsBetween * options.data.samples, kFitClusters));
   std::vector<std::string> heads = {"figure (asked for)"};
   for (const FitMaterial* material : materials)
-    heads.push_back(fmt::format("{}{}", material->name, material->steep ? " (steep)" : ""));
+    heads.push_back(fmt::format("{}{}", material->name, material->judged ? "" : " (not judged)"));
   report.table(heads);
   for (const Bar& bar : bars()) {
     std::vector<std::string> cells = {*bar.asked != 0 ? fmt::format("{} ({})", bar.what, bar.asked) : bar.what};
@@ -209,8 +204,8 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     report.row(std::move(cells));
   }
   for (size_t i = 0; i < all.size(); ++i) report.data()[materials[i]->name] = all[i];
-  return FitCurves{std::move(report), panels(materials, all, "kib", "KiB", 64, 4096),
-                   panels(materials, all, "ns", "nanoseconds of an evaluation on one core", 64, 4096)};
+  return FitCurves{std::move(report), panels(materials, all, "kib", "KiB", 64, 8192),
+                   panels(materials, all, "ns", "nanoseconds of an evaluation on one core", 64, 8192)};
 }
 
 }  // namespace vamp

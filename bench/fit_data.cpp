@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/acquire/acquire.h"
+#include "engine/acquire/facet_grid.h"
 #include "engine/acquire/structure.h"
 
 namespace vamp {
@@ -15,13 +16,14 @@ namespace {
 constexpr int kFacetsOfATexel = 6;
 
 // Periods are scaled so that a yarn or a plate has the same number of texels as it has in the shipped presets.
-const std::array<FitMaterial, 6> kMaterials = {{
-    {"calf", false, false, {{"mm", 7}, {"plates", 11}}},
-    {"nubuck", false, false, {{"mm", 8}}},
-    {"crocodile", false, true, {{"mm", 16}, {"columns", 3}, {"rows", 4}}},
-    {"wool-twill", true, false, {{"mm", 6}, {"ends", 12}, {"picks", 12}}},
-    {"denim", true, false, {{"mm", 6}, {"ends", 16}, {"picks", 12}}},
-    {"air-mesh", true, true, {{"mm", 8}, {"holes", 3}, {"hole_rows", 4}}},
+const std::array<FitMaterial, 7> kMaterials = {{
+    {"calf", true, {{"mm", 7}, {"plates", 11}}},
+    {"nubuck", true, {{"mm", 8}}},
+    {"leather", true, {{"mm", 6}, {"plates", 8}}},
+    {"wool-twill", true, {{"mm", 6}, {"ends", 12}, {"picks", 12}}},
+    {"denim", true, {{"mm", 6}, {"ends", 16}, {"picks", 12}}},
+    {"air-mesh", true, {{"mm", 8}, {"holes", 3}, {"hole_rows", 4}}},
+    {"crocodile", false, {{"mm", 16}, {"columns", 3}, {"rows", 4}}},
 }};
 
 // 24 directions within 74 degrees that lie between those of UBO2003: a spiral of equal projected areas.
@@ -45,24 +47,38 @@ std::optional<Btf> whole(const fs::path& path, const Json& job) {
   return std::move(*btf);
 }
 
-Result<Btf> acquired(const FitMaterial& material, const FitDataOptions& options, bool between, Progress& progress) {
-  VAMP_TRY(const std::unique_ptr<acquire::Structure> structure, acquire::make_structure(material.name));
+Result<std::unique_ptr<acquire::Structure>> structure_of(const FitMaterial& material) {
+  VAMP_TRY(std::unique_ptr<acquire::Structure> structure, acquire::make_structure(material.name));
+  for (const auto& [name, value] : material.settings) VAMP_CHECK_STATUS(acquire::set(*structure, name, value));
+  return structure;
+}
+
+Result<Btf> acquired(const FitMaterial& material, const FitDataOptions& options, const acquire::Mesostructure& built,
+                     bool between, Progress& progress) {
   acquire::Options job;
   job.size = options.size;
-  job.samples = between ? 2 * options.samples : options.samples;
+  job.samples = between ? kPathsBetween * options.samples : options.samples;
   job.directions = between ? directions_between() : ubo81();
   job.seed = between ? 2 : 1;
-  const int cells = std::max(256, options.size * kFacetsOfATexel);
   job.job = {{"structure", material.name}, {"size", job.size}, {"samples", job.samples}, {"between", between}};
-  for (const auto& [name, value] : material.settings) {
-    VAMP_CHECK_STATUS(acquire::set(*structure, name, value));
-    job.job["settings"][name] = value;
-  }
+  for (const auto& [name, value] : material.settings) job.job["settings"][name] = value;
   const fs::path path = options.cache / fmt::format("{}{}.btf", material.name, between ? "-between" : "");
   if (auto btf = whole(path, job.job)) return std::move(*btf);
-  if (const auto report = acquire::measure(structure->build(cells), job, path, progress); !report)
-    return tl::unexpected(report.error());
+  if (const auto report = acquire::measure(built, job, path, progress); !report) return tl::unexpected(report.error());
   return Btf::open(path);
+}
+
+double tilt_of(const acquire::Mesostructure& built) {
+  const acquire::FacetGrid grid(built.facets);
+  constexpr int kRays = 256;  // a side
+  double sum = 0;
+  for (int y = 0; y < kRays; ++y)
+    for (int x = 0; x < kRays; ++x) {
+      const vec3 above((static_cast<float>(x) + 0.5f) / kRays, (static_cast<float>(y) + 0.5f) / kRays, grid.top() + 1);
+      const auto hit = grid.first_hit(above, vec3(0, 0, -1));
+      if (hit.facet != acquire::FacetGrid::kNone) sum += std::acos(std::min(grid.normal(hit.facet).z, 1.f));
+    }
+  return sum / (kRays * kRays) * 180 / std::numbers::pi;
 }
 
 // Of all values together, from a texel's stated errors: the provenance holds the median of texels, which is what is
@@ -81,10 +97,12 @@ Result<FitData> fit_data(const FitMaterial& material, const FitDataOptions& opti
   std::error_code code;
   fs::create_directories(options.cache, code);
   if (code) return fail(ErrorKind::io, options.cache.string(), "", "a folder that can be made", code.message());
-  VAMP_TRY(Btf measured, acquired(material, options, false, progress));
-  VAMP_TRY(Btf between, acquired(material, options, true, progress));
+  VAMP_TRY(const std::unique_ptr<acquire::Structure> structure, structure_of(material));
+  const acquire::Mesostructure built = structure->build(std::max(256, options.size * kFacetsOfATexel));
+  VAMP_TRY(Btf measured, acquired(material, options, built, false, progress));
+  VAMP_TRY(Btf between, acquired(material, options, built, true, progress));
   const double noise = noise_of(measured), noise_between = noise_of(between);
-  return FitData{std::move(measured), std::move(between), noise, noise_between};
+  return FitData{std::move(measured), std::move(between), noise, noise_between, tilt_of(built)};
 }
 
 }  // namespace vamp

@@ -10,7 +10,7 @@ namespace vamp {
 namespace {
 
 // Changes whenever the figures mean something else, so that old ones are not taken.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr int kManyBases = 192;  // as good as no limit: what is left of 64 texels' lobes without repeats
 
 Json number(double value) { return json_number(static_cast<float>(value)); }
@@ -27,9 +27,9 @@ class Fitter {
 
   Result<fit::Quality> quality(const Spmm& spmm, bool between, bool curves) {
     fit::QualityOptions options;
-    options.ranks = curves ? std::vector<size_t>{4, 8, 10, 16, 24, 32} : std::vector<size_t>{8};
+    options.ranks = curves ? std::vector<size_t>{4, 8, 10, 16, 32, 64} : std::vector<size_t>{8};
     options.shared = curves ? std::vector<size_t>{4, 8, 16, 32} : std::vector<size_t>{};
-    options.max_rank = curves ? 160 : 8;
+    options.max_rank = curves ? 96 : 8;
     options.threads = threads_;
     return fit::measure_quality(spmm, data_.measured, between ? &data_.between : nullptr, options, &progress_);
   }
@@ -90,6 +90,7 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
   figures["key"] = key;
   figures["noise"] = number(data.noise);
   figures["noise_between"] = number(data.noise_between);
+  figures["tilt"] = number(data.tilt);
   // Each part is kept as soon as it is there.
   const auto part = [&](Json& into, const std::string& name, const fit::FitOptions& fit, const auto& judge) -> Status {
     if (into.contains(name)) return {};
@@ -97,10 +98,8 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
     VAMP_TRY(into[name], judge(spmm));
     return write_text_atomically(path, print_json(figures));
   };
-  for (const int clusters : {2, kFitClusters})
-    VAMP_CHECK_STATUS(part(figures["curves"], fmt::format("{} clusters", clusters), {.clusters = clusters},
-                           [&](const Spmm& spmm) { return fitter.curve(spmm); }));
   const fit::FitOptions usual{.clusters = kFitClusters};
+  VAMP_CHECK_STATUS(part(figures, "curve", usual, [&](const Spmm& spmm) { return fitter.curve(spmm); }));
   fit::FitOptions few = usual, few_any = usual, any = usual, ring = usual;
   few.functions = few_any.functions = 3;
   few.slack = few_any.slack = 0;

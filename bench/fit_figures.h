@@ -7,11 +7,10 @@ namespace vamp {
 
 // A representation: {"name", "kib", "ns", "measured", "between", "mssim"}; errors relative RMSE, mssim at two texels a
 // pixel over pictures between the measured directions.
-// The whole: {"noise", "noise_between", "curves": {"4 clusters": [..], ..}, "few": .., "few_any": .., "any": ..,
-// "ring": ..}.
+// The whole: {"noise", "noise_between", "tilt", "curve": [..], "few": .., "few_any": .., "any": .., "ring": ..}.
 Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& options, int threads, Progress& progress);
 
-// The clusters of the fit that all bars are held against; the curves have others beside it.
-inline constexpr int kFitClusters = 8;
+// Of 64 x 64 texels; a cluster has as many texels as one of 128 x 128 has by default, and twice as many tables.
+inline constexpr int kFitClusters = 16;
 
 }  // namespace vamp

@@ -59,8 +59,9 @@ Status measure_one(const std::filesystem::path& folder, const std::string& name,
   fit::fit_subspaces(svd.coordinates, kMaxResidualTerms, 15, worker, clustering);
   const fit::Design design = fit::make_design({{"matte", default_lobe(Model::lambert), {0, 0, 1}, 0}}, measurement);
   const std::vector<fit::TexelWeights> none(measurement.texels());
-  const fit::ResidualFit residual =
-      fit::fit_residual(measurement, design, none, svd.coordinates, clustering, kMaxResidualTerms, worker);
+  fit::ResidualFit residual =
+      fit::find_tables(measurement, design, none, svd.coordinates, clustering, kMaxResidualTerms, worker);
+  fit::fit_coefficients(measurement, design, none, clustering, worker, residual);
   if (progress.cancelled()) return {};
 
   const auto left = [&](double squared) { return std::sqrt(std::max(squared, 0.0) / svd.square); };

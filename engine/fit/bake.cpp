@@ -56,6 +56,12 @@ Step Step::at_most(double limit) {
 
 float stored(float weight, Step step) { return float_from_half(static_cast<uint16_t>(half_of(rounded(weight, step)))); }
 
+void round_weights(const std::vector<Step>& steps, std::vector<TexelWeights>& weights) {
+  for (TexelWeights& texel : weights)
+    for (size_t i = 0; i < texel.weights.size(); ++i)
+      texel.weights[i] = stored(texel.weights[i], steps[texel.bases[i / kChannels]]);
+}
+
 std::vector<Step> weight_steps(const Design& design, double error) {
   std::vector<Step> steps;
   for (size_t j = 0; j < design.columns.count; ++j) {

@@ -16,6 +16,9 @@ struct Step {
 // A weight as a material stores it.
 float stored(float weight, Step step);
 
+// All weights as a material stores them, by the steps of their functions.
+void round_weights(const std::vector<Step>& steps, std::vector<TexelWeights>& weights);
+
 // The steps of a dictionary's weights where the functions leave `error`, a root mean square of weighted values.
 std::vector<Step> weight_steps(const Design& design, double error);
 

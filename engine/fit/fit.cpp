@@ -12,6 +12,7 @@
 #include "engine/core/jobs.h"
 #include "engine/fit/bake.h"
 #include "engine/fit/dictionary.h"
+#include "engine/fit/joint_weights.h"
 #include "engine/fit/names.h"
 #include "engine/material/reflectance.h"
 
@@ -22,6 +23,9 @@ namespace {
 constexpr size_t kLobesOfATexel = 8, kFunctionsWhileRefining = 8;
 // Texels that the dictionary is chosen and refined on, at least.
 constexpr size_t kExemplars = 512;
+// How often weights and residual are fitted to one another, and how strongly weights hold to what they were.
+constexpr int kJointRounds = 2;
+constexpr double kPull = 0.05;
 
 // The stages of a fit and what they took.
 class Stages {
@@ -140,8 +144,6 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
   const std::vector<size_t> counts = counts_at(codes, price_for(codes, wanted));
   const double left = error_of(codes, counts);
   report.errors = {std::sqrt(left / square)};
-  const auto values = static_cast<double>(codes.size() * kChannels * design.columns.length);
-  const std::vector<Step> steps = weight_steps(design, std::sqrt(left / values));
   std::vector<TexelWeights> weights(codes.size());
   report.histogram.assign(static_cast<size_t>(options.functions) + 1, 0);
   size_t total = 0;
@@ -149,10 +151,6 @@ std::vector<TexelWeights> weigh(const std::vector<TexelCode>& codes, const Desig
     const auto& order = codes[t].path.order;
     weights[t].bases.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(counts[t]));
     weights[t].weights = weights_of(codes[t], counts[t], design.gram, design.columns.count);
-    for (size_t i = 0; i < weights[t].weights.size(); ++i) {
-      float& weight = weights[t].weights[i];
-      weight = stored(weight, steps[static_cast<size_t>(weights[t].bases[i / kChannels])]);
-    }
     total += counts[t];
     ++report.histogram[counts[t]];
   }
@@ -211,7 +209,11 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   const std::vector<TexelCode> codes = code_texels(measurement, design, {dictionary.allowed, &clustering.of}, coder,
                                                    static_cast<size_t>(options.functions), worker);
   if (stopped()) return JobQueue::cancelled_error();
-  const std::vector<TexelWeights> weights = weigh(codes, design, options, found.square, report);
+  std::vector<TexelWeights> weights = weigh(codes, design, options, found.square, report);
+  // What an error of all texels is for one value.
+  const double of_a_value = std::sqrt(found.square / static_cast<double>(measurement.texels() * measurement.values()));
+  const std::vector<Step> steps = weight_steps(design, report.errors.front() * of_a_value);
+  round_weights(steps, weights);
   stages.done("weights");
   if (options.curve) {
     report.curve = sparsity_curve(measurement, design, static_cast<size_t>(options.functions), found.square, worker);
@@ -224,10 +226,19 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
   ResidualFit residual;
   if (with_residual) {
     worker.stage(fmt::format("Sorting texels by what the functions leave, {:.1f} %", 100 * report.errors.front()));
-    const Rows left = residual_coordinates(found, design, weights);
-    // Clusters share a residual: from those that look alike on to those that leave alike.
-    if (!options.per_cluster) fit_subspaces(left, terms, 15, worker, clustering);
-    residual = fit_residual(measurement, design, weights, left, clustering, terms, worker);
+    // Weights that reach an error by themselves stay as they are.
+    const int rounds = options.error > 0 ? 0 : kJointRounds;
+    for (int round = 0; !stopped(); ++round) {
+      const Rows left = residual_coordinates(found, design, weights);
+      // Clusters share a residual: from those that look alike on to those that leave alike.
+      if (!options.per_cluster) fit_subspaces(left, terms, 15, worker, clustering);
+      residual = find_tables(measurement, design, weights, left, clustering, terms, worker);
+      if (round == rounds) break;
+      refit_weights(measurement, design, codes, clustering, residual, kPull, worker, weights);
+      round_weights(steps, weights);
+    }
+    if (stopped()) return JobQueue::cancelled_error();
+    fit_coefficients(measurement, design, weights, clustering, worker, residual);
     report.errors.clear();
     for (size_t i = 0; i < terms + 2; ++i)
       report.errors.push_back(std::sqrt(std::max(residual.errors[i], 0.0) / found.square));
@@ -235,10 +246,8 @@ Result<FitResult> fit_spmm(const Btf& btf, const FitOptions& options, Progress* 
     if (stopped()) return JobQueue::cancelled_error();
   }
 
-  const double left =
-      report.errors.back() * std::sqrt(found.square / static_cast<double>(measurement.texels() * measurement.values()));
-  result.spmm =
-      bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms, left);
+  result.spmm = bake(measurement, dictionary.bases, weights, clustering, with_residual ? &residual : nullptr, terms,
+                     report.errors.back() * of_a_value);
   for (const Basis& basis : dictionary.bases) report.filler.push_back(is_filler(basis, limits));
   name_functions(result.spmm.dictionary, limits);
   result.spmm.clusters = name_clusters(cluster_colours(result.spmm));

@@ -106,11 +106,11 @@ void read_residual(const Measurement& measurement, const Design& design, const T
   }
 }
 
-ResidualFit fit_residual(const Measurement& measurement, const Design& design, const std::vector<TexelWeights>& weights,
-                         const Rows& coordinates, const Clustering& clustering, size_t terms, const Worker& worker) {
+ResidualFit find_tables(const Measurement& measurement, const Design& design, const std::vector<TexelWeights>& weights,
+                        const Rows& coordinates, const Clustering& clustering, size_t terms, const Worker& worker) {
   const auto members = clustering.members();
   const std::vector<Piece> pieces = pieces_of(members);
-  const size_t values = measurement.values(), texels = measurement.texels();
+  const size_t values = measurement.values();
   terms = std::min(terms, kMaxTerms);
   ResidualFit fit;
   worker.stage("Finding what the functions leave");
@@ -147,7 +147,14 @@ ResidualFit fit_residual(const Measurement& measurement, const Design& design, c
     for (size_t i = 0; i < values; ++i) fit.means.row(c)[i] *= scale;
     orthonormalise(fit.terms, c);
   });
+  return fit;
+}
 
+void fit_coefficients(const Measurement& measurement, const Design& design, const std::vector<TexelWeights>& weights,
+                      const Clustering& clustering, const Worker& worker, ResidualFit& fit) {
+  const auto members = clustering.members();
+  const std::vector<Piece> pieces = pieces_of(members);
+  const size_t values = measurement.values(), texels = measurement.texels();
   worker.stage("Measuring what is left");
   std::vector<std::array<double, kMaxTerms + 2>> errors(pieces.size());
   worker.each(pieces.size(), [&](size_t p) {
@@ -191,7 +198,6 @@ ResidualFit fit_residual(const Measurement& measurement, const Design& design, c
       const auto scale = static_cast<float>(squares[clustering.of[t] * kMaxTerms + k]);
       fit.coefficients[t][k] = scale > 0 ? fit.coefficients[t][k] / scale : 0;
     }
-  return fit;
 }
 
 }  // namespace vamp::fit

@@ -28,13 +28,18 @@ void read_residual(const Measurement& measurement, const Design& design, const T
 struct ResidualFit {
   Rows means;                                              // clusters x values, times the roots
   Rows terms;                                              // clusters * kMaxTerms x values; times the roots
-  std::vector<std::array<float, kMaxTerms>> coefficients;  // a texel; root mean square 1 over its cluster
+  std::vector<std::array<float, kMaxTerms>> coefficients;  // a texel
   // Squared errors of all texels: functions alone, with the mean, with 1 .. kMaxTerms terms.
   std::array<double, kMaxTerms + 2> errors{};
 };
 
-// Two passes over the measurement: terms from the coordinates' principal axes, then coefficients by projection.
-ResidualFit fit_residual(const Measurement& measurement, const Design& design, const std::vector<TexelWeights>& weights,
-                         const Rows& coordinates, const Clustering& clustering, size_t terms, const Worker& worker);
+// A pass over the measurement: means, and terms from the coordinates' principal axes, orthonormal in each cluster.
+ResidualFit find_tables(const Measurement& measurement, const Design& design, const std::vector<TexelWeights>& weights,
+                        const Rows& coordinates, const Clustering& clustering, size_t terms, const Worker& worker);
+
+// Another: the best coefficients and what is left then. Afterwards the coefficients' root mean square over each cluster
+// is 1, and terms are of the size of what they add.
+void fit_coefficients(const Measurement& measurement, const Design& design, const std::vector<TexelWeights>& weights,
+                      const Clustering& clustering, const Worker& worker, ResidualFit& fit);
 
 }  // namespace vamp::fit
