@@ -189,7 +189,7 @@ uint64_t Renderer::replay(uint32_t most) {
   const uint32_t batch = whole_hit ? SAMPLES_PER_HIT : 1;
   frame::TilePush push{};
   push.x = replay_at_;
-  push.width = std::min(most, step.pixels - replay_at_);
+  push.width = std::min(std::max(most / batch, 1u), step.pixels - replay_at_);
   push.height = 1;
   push.sample_base = done;
   push.stride = 1;

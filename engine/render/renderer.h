@@ -71,7 +71,8 @@ class Renderer {
   uint64_t refine_all(uint32_t limit);
 
   // After an edit that moved no ray: the pixels that saw it get their samples anew, from stored hits and visibility,
-  // before anything else is refined. Submits the next batch of at most `most` of them; returns the timeline value.
+  // before anything else is refined. Submits the next part, of at most `most` samples; returns the timeline
+  // value.
   bool replaying() const { return replay_.active(); }
   uint64_t replay(uint32_t most);
   // Has the driver compile what replay() will dispatch, so that the first edit need not wait for it. Changes nothing.
@@ -86,7 +87,7 @@ class Renderer {
   // The group whose weights may be pulled next, or none. Once its sums are gathered, an edit of its gains, mutes
   // included, is answered by set_project() from them: the whole picture keeps its samples. Sums are gathered from
   // stored hits like those of a replay, between other work: gather_weights() submits the next part, of at most `most`
-  // pixels.
+  // samples.
   void set_weights_at_hand(const WeightGroup& group);
   // `tints`: besides the sums for all channels alike, those for single ones.
   bool wants_weights(bool tints) const;
@@ -135,10 +136,12 @@ class Renderer {
   void make_weight_sums();
   std::optional<WeightSums::Step> next_weight_step(bool tints) const;
   void begin_weight_step(bool tints);
-  void send_weight_list(const std::vector<bool>& tiles);
+  void send_weight_list(const std::vector<uint32_t>& pixels);
   // Whether the tables are where weights at hand, of this material, can be pulled to.
   bool holds_weights_of(size_t material) const;
   std::optional<std::vector<double>> steps_of_weights();
+  void catch_up_weights(size_t directions);
+  void prepare_recombine();
   void recombine(const std::vector<double>& steps, Change& change);
   std::vector<gpu::Bound> bound_tables() const;
   bool batches_fit() const;

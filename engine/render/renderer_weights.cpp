@@ -78,30 +78,33 @@ void Renderer::begin_weight_step(bool tints) {
   WeightSums::Step& step = *weights_->step;
   std::vector<bool> wanted(tiles_.size());
   for (const size_t t : step.tiles) wanted[t] = true;
-  send_weight_list(wanted);
+  step.pixels = pixels_that_see(weights_->span.seen(), wanted);
 }
 
-void Renderer::send_weight_list(const std::vector<bool>& wanted) {
-  std::vector<uint32_t> list = pixels_that_see(weights_->span.seen(), wanted);
-  if (list == weights_->listed) return;
-  if (!list.empty()) device_->upload_rows<uint32_t>(weights_->list, 0, list);
-  weights_->listed = std::move(list);
+void Renderer::send_weight_list(const std::vector<uint32_t>& pixels) {
+  if (pixels == weights_->listed) return;
+  if (!pixels.empty()) device_->upload_rows<uint32_t>(weights_->list, 0, pixels);
+  weights_->listed = pixels;
 }
 
 uint64_t Renderer::gather_weights(bool tints, uint32_t most) {
   CHECK(!replaying() && most > 0);
-  if (!weights_) make_weight_sums();
+  if (!weights_) {
+    make_weight_sums();
+    if (weights_) prepare_recombine();
+  }
   if (!weights_) return device_->last_submitted();
   if (!weights_->step) begin_weight_step(tints);
   if (!weights_->step) return device_->last_submitted();
   WeightSums::Step& step = *weights_->step;
   WeightSums::Direction& direction = weights_->directions[step.direction];
   uint64_t value = device_->last_submitted();
-  const auto pixels = static_cast<uint32_t>(weights_->listed.size());
+  const auto pixels = static_cast<uint32_t>(step.pixels.size());
   if (pixels > 0) {
+    send_weight_list(step.pixels);
     frame::TilePush push{};
     push.x = step.at;
-    push.width = std::min(most, pixels - step.at);
+    push.width = std::min(std::max(most / step.batch, 1u), pixels - step.at);
     push.height = 1;
     push.sample_base = step.base;
     push.stride = 1;
@@ -132,32 +135,51 @@ bool Renderer::holds_weights_of(size_t material) const {
 
 std::optional<std::vector<double>> Renderer::steps_of_weights() {
   if (replaying()) return std::nullopt;
-  if (weights_->step) gather_weights(true, ~0u);
-  // Tiles may have gone ahead since the sums were gathered; a little is caught up at once.
-  const auto behind = [&](const WeightSums::Direction& direction) {
-    uint64_t most = 0;
-    for (size_t t = 0; t < tiles_.size(); ++t) most = std::max<uint64_t>(most, samples_[t] - direction.samples[t]);
-    return most * weights_->listed.size();
-  };
-  for (size_t k = 0; k < weights_->directions.size() && behind(weights_->directions[k]) <= kCaughtUpAtOnce; ++k)
-    while (weights_->directions[k].samples != samples_ && wants_weights(true)) gather_weights(true, ~0u);
-  return weights_->span.steps_to(material_tables_, weights_->ready(samples_));
+  // Tints only where they are needed.
+  for (const size_t count : {weights_->span.needed(), weights_->directions.size()}) {
+    catch_up_weights(std::min(count, weights_->directions.size()));
+    const auto steps = weights_->span.steps_to(material_tables_, std::min(count, weights_->ready(samples_)));
+    if (steps) return steps;
+  }
+  return std::nullopt;
+}
+
+// Tiles may have gone ahead since the sums were gathered; a little is caught up at once.
+void Renderer::catch_up_weights(size_t directions) {
+  for (size_t k = 0; k < directions; ++k) {
+    const std::vector<uint32_t>& have = weights_->directions[k].samples;
+    uint64_t behind = 0;
+    for (size_t t = 0; t < tiles_.size(); ++t) behind = std::max<uint64_t>(behind, samples_[t] - have[t]);
+    if (behind * weights_->listed.size() > kCaughtUpAtOnce) return;
+    while (have != samples_ && wants_weights(true)) gather_weights(true, ~0u);
+  }
+}
+
+void Renderer::prepare_recombine() {
+  if (weights_->directions.empty()) return;
+  gpu::CommandList list = device_->begin("prepare to recombine");
+  list.bind(kernels_.get(Pass::recombine, key_), weights_->directions.front().set);
+  list.push(frame::TilePush{.height = 1, .stride = 1});
+  list.dispatch(1);
+  device_->submit(std::move(list));
 }
 
 void Renderer::recombine(const std::vector<double>& steps, Change& change) {
-  send_weight_list(std::vector<bool>(tiles_.size(), true));
+  send_weight_list(pixels_that_see(weights_->span.seen(), std::vector<bool>(tiles_.size(), true)));
   change.recombined = weights_->listed.size();
   if (change.what.empty()) change.what = "weights edited";
   if (weights_->listed.empty()) return;
   gpu::CommandList list = device_->begin("recombine");
-  for (size_t k = 0; k < steps.size(); ++k) {
+  for (size_t k = 0; k < weights_->directions.size(); ++k) {
     WeightSums::Direction& direction = weights_->directions[k];
+    const double step = (k < steps.size() ? steps[k] : 0) - direction.applied;
+    if (step == 0 && k > 0) continue;
     frame::TilePush push{};
     push.width = static_cast<uint32_t>(weights_->listed.size());
     push.height = 1;
     push.stride = 1;
     // The steps taken add up to those wanted, whatever they were rounded to on the way.
-    push.step = static_cast<float>(steps[k] - direction.applied);
+    push.step = static_cast<float>(step);
     direction.applied += static_cast<double>(push.step);
     list.bind(kernels_.get(Pass::recombine, key_), direction.set);
     list.push(push);

@@ -22,8 +22,8 @@ namespace {
 // What edits may be answered from; at 640 x 480 some 270 samples (see Renderer::set_history).
 constexpr uint64_t kHistoryBytes = 160u << 20;
 
-// So many pixels are shaded again before a newer edit is looked for: some 10 ms on two cores of lavapipe.
-constexpr uint32_t kReplayPixels = 1u << 16;
+// So many samples are shaded again before a newer edit is looked for: some 10 ms on two cores of lavapipe.
+constexpr uint32_t kReplaySamples = 1u << 16;
 
 }  // namespace
 
@@ -190,7 +190,7 @@ class RenderSession::Impl {
     if (std::exchange(wants_preview_, false)) return show_all(renderer_.preview(preview_stride()));
     if (renderer_.replaying()) return shade_again();
     if (wants_weights()) {
-      device_.wait(renderer_.gather_weights(finished_, kReplayPixels));
+      device_.wait(renderer_.gather_weights(finished_, kReplaySamples));
       return;
     }
     {
@@ -288,7 +288,7 @@ class RenderSession::Impl {
   }
 
   void shade_again() {
-    const uint64_t value = renderer_.replay(kReplayPixels);
+    const uint64_t value = renderer_.replay(kReplaySamples);
     device_.wait(value);
     if (!renderer_.replay_pass_complete()) return;
     show_all(value);

@@ -35,13 +35,14 @@ class WeightSums {
     size_t direction = 0;
     uint32_t base = 0, batch = 0;
     std::vector<size_t> tiles;
-    uint32_t at = 0;  // pixels of the list that are done
+    std::vector<uint32_t> pixels;  // of them, that see the group
+    uint32_t at = 0;               // so many of them are done
   };
 
   WeightSpan span;
   std::vector<Direction> directions;
   std::optional<Step> step;
-  gpu::TypedBuffer<uint32_t> list;  // pixels of the region that see the group, of the step's tiles
+  gpu::TypedBuffer<uint32_t> list;  // pixels of the region
   std::vector<uint32_t> listed;     // what it holds
 
   // The picture is shaded with these tables now; they differ in weights at hand alone.
