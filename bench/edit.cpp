@@ -11,6 +11,7 @@
 #include "engine/core/check.h"
 #include "engine/gpu/device.h"
 #include "engine/render/session.h"
+#include "shaders/shared/tonemap.h"
 
 namespace vamp {
 namespace {
@@ -65,6 +66,37 @@ class Bench {
       back.add(watch.stop());
       pixels = session_.status().restarted_pixels;
     }
+    tell(what, pixels, first, back);
+  }
+
+  // The first look after each of many small moves, and how much brighter or darker it is than the finished picture.
+  void measure_moves(const std::string& what, int rounds, const std::function<void(Project&, int round)>& edit) {
+    Series first, back;
+    for (int round = 0; round < rounds; ++round) {
+      edit(project_, round);
+      const auto next = std::make_shared<const Project>(project_);
+      const Stopwatch watch;
+      const uint64_t version = session_.picture_version();
+      session_.set_project(next, what);
+      wait([&] { return session_.status().project == next && session_.picture_version() > version; });
+      first.add(watch.stop());
+      PixelLayer look, finished;
+      session_.copy_picture(look);
+      wait([&] { return session_.status().finished; });
+      back.add(watch.stop());
+      session_.copy_picture(finished);
+      shift_ = std::max(shift_, std::abs(mean_radiance(look) / mean_radiance(finished) - 1));
+    }
+    tell(what, uint64_t{kWidth} * kHeight, first, back);
+    report_.remark(
+        fmt::format("While the camera turns, the first looks are at most {:.1f} % brighter or darker than the "
+                    "finished pictures.",
+                    100 * shift_));
+    report_.data()["brightness_shift"] = shift_;
+  }
+
+ private:
+  void tell(const std::string& what, uint64_t pixels, const Series& first, const Series& back) {
     const double share = static_cast<double>(pixels) / (kWidth * kHeight);
     report_.row({what, fmt::format("{:.1f} %", 100 * share),
                  fmt::format("{:.0f} ({:.0f})", first.wall(), first.wall(0.95)),
@@ -73,7 +105,15 @@ class Bench {
         Json{{"edit", what}, {"pixels", share}, {"first_picture", first.json()}, {"samples_again", back.json()}});
   }
 
- private:
+  // Of what is shown, as light.
+  static double mean_radiance(const PixelLayer& picture) {
+    double sum = 0;
+    for (const uint32_t pixel : picture.pixels)
+      for (int shift = 0; shift < 24; shift += 8)
+        sum += static_cast<double>(srgb_decode(static_cast<float>(pixel >> shift & 255u) / 255.0f));
+    return sum / static_cast<double>(picture.pixels.size());
+  }
+
   template <class Done>
   void wait(const Done& done) {
     while (!done()) {
@@ -86,6 +126,7 @@ class Bench {
   Report& report_;
   RenderSession session_;
   bool selected_ = false;
+  double shift_ = 0;
 };
 
 }  // namespace
@@ -129,6 +170,11 @@ Result<Report> bench_edit(gpu::Device& device, Project project, const EditBench&
   bench.select_nothing();
   if (!project.lights.empty())
     bench.measure("power of a light", options.rounds, [&](Project& p, int) { p.lights[0].power *= 1.1f; });
+  bench.measure_moves("camera turned by a degree", options.rounds, [](Project& p, int) {
+    const vec3 arm = p.camera.eye - p.camera.target;
+    const float c = std::cos(0.01745f), s = std::sin(0.01745f);
+    p.camera.eye = p.camera.target + vec3(c * arm.x + s * arm.z, arm.y, c * arm.z - s * arm.x);
+  });
   bench.measure("everything again (another seed)", std::max(options.rounds / 4, 1),
                 [&](Project& p, int) { ++p.settings.seed; });
   return report;
