@@ -110,8 +110,13 @@ Status render(const RenderText& text, const CommonOptions& common) {
   if (common.json) {
     fmt::print("{}", print_json(json));
   } else {
-    fmt::print("{}: {} x {}, {} samples in {:.1f} s ({:.1f} ms a sample, {:.2f} Mrays/s)\n", text.output, size.x,
-               size.y, still->samples, still->seconds, still->ms_per_sample, json["mrays_per_s"].get<double>());
+    // With a goal, tiles have different numbers.
+    const std::string samples = options.noise_goal
+                                    ? fmt::format("{:.0f} samples a pixel and {:.2g} % noise", still->mean_samples,
+                                                  100 * static_cast<double>(still->noise))
+                                    : fmt::format("{} samples", still->samples);
+    fmt::print("{}: {} x {}, {} in {:.1f} s ({:.1f} ms a sample, {:.2f} Mrays/s)\n", text.output, size.x, size.y,
+               samples, still->seconds, still->ms_per_sample, json["mrays_per_s"].get<double>());
   }
   if (interrupted()) return fail(ErrorKind::interrupted, text.output, "", "stopped; the file holds what there was");
   return {};

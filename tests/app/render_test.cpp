@@ -138,6 +138,17 @@ TEST_F(Render, TimeAloneEndsTheWork) {
   EXPECT_EQ(ended.json()["complete"], true);
 }
 
+TEST_F(Render, WhatEndedByItsNoiseIsRenderedAgainFromItself) {
+  const Ended first = render({"-o", "a.png", "--size", "130x70", "--noise", "5", "--json"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_LE(first.json()["noise"].get<double>(), 0.05);
+  EXPECT_EQ(first.json()["complete"], true);
+  const Ended again = render({"--from", "a.png", "-o", "b.png", "--json"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(first.json()["mean_samples"], again.json()["mean_samples"]);
+  EXPECT_EQ(picture("a.png").pixels, picture("b.png").pixels);
+}
+
 // Wider than a region: two of them share the time, and must end with the same number of samples.
 TEST_F(Render, WhatEndedByItsTimeIsRenderedAgainFromItself) {
   const Ended first = render({"-o", "a.png", "--size", "1030x40", "--time", "0.4", "--json"});
