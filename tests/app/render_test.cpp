@@ -139,7 +139,7 @@ TEST_F(Render, TimeAloneEndsTheWork) {
 }
 
 TEST_F(Render, WhatEndedByItsNoiseIsRenderedAgainFromItself) {
-  const Ended first = render({"-o", "a.png", "--size", "130x70", "--noise", "5", "--json"});
+  const Ended first = render({"-o", "a.png", "--size", "130x70", "--noise", "5", "--samples", "512", "--json"});
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_LE(first.json()["noise"].get<double>(), 0.05);
   EXPECT_EQ(first.json()["complete"], true);
