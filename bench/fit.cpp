@@ -14,7 +14,7 @@ namespace {
 
 const vec3 kBlue(0.12f, 0.35f, 0.75f), kGreen(0.15f, 0.55f, 0.25f), kGrey(0.45f), kRed(0.8f, 0.2f, 0.15f), kGrid(0.88f);
 
-constexpr double kNone = -1;  // a figure that was not asked for
+constexpr double kNone = -1;  // a figure that is not there
 
 std::string percent(double value) { return fmt::format("{:.1f}", 100 * value); }
 
@@ -88,7 +88,8 @@ std::vector<Bar> bars() {
        },
        "1.08"},
       {"left-out ring / directions used",
-       [](const Json& f) { return value(f["ring"], "ring") / value(f["ring"], "used"); }, "1.3"},
+       [](const Json& f) { return f.contains("ring") ? value(f["ring"], "ring") / value(f["ring"], "used") : kNone; },
+       "1.3"},
   };
 }
 

@@ -26,7 +26,7 @@ struct FitDataOptions {
   fs::path cache;
   int size = 64;     // texels
   int samples = 25;  // paths of a texel and view; kPathsBetween times as many between
-  bool many = true;  // fits with many functions too, which take longest
+  bool all = true;   // fits with few functions, with many, and without a ring too, which take longest
 };
 
 struct FitData {

@@ -60,7 +60,9 @@ void add_bench_fit(CLI::App& bench, CommonOptions& common, Action& action) {
   verb->add_option("--materials", options->materials, "Some of them; all six by default")->type_name("NAME,NAME");
   verb->add_option("--size", options->size, "Texels across each material")->type_name("N")->capture_default_str();
   verb->add_option("--spp", options->samples, "Paths for each texel and view")->type_name("S")->capture_default_str();
-  verb->add_flag("--quick", options->quick, "Without the fits of many functions, which take longest");
+  verb->add_flag(
+      "--quick", options->quick,
+      "Without the fits of few and of many functions and those without a ring; those that are kept are shown");
   verb->add_option("--threads", options->threads, "0: one for each core")->capture_default_str();
   verb->add_option("--into", options->page, "Also put the figures into this page, in place of its block of this name")
       ->type_name("FILE.md");
