@@ -16,7 +16,8 @@ TEST_F(Long, ThousandsOfSequencesOfEditsEndInTheFreshPicture) {
          .seed = 1000 + seed});
     if (HasFailure()) break;
   }
-  EXPECT_GT(recombined, 1000u);
+  // Enough of them were answered from sums to tell.
+  EXPECT_GT(recombined, 500u);
 }
 
 }  // namespace
