@@ -11,7 +11,7 @@ class Progress;
 struct EditsBench {
   int size = 64;                // texels across
   int samples = 16;             // of the goniometer
-  int clusters = 8;             // of a fit: as many texels each as 128 x 128 have with the 32 of vamp fit
+  int clusters = 32;            // of a fit, as vamp fit has it
   std::filesystem::path cache;  // where acquisitions are kept; empty: they are made anew and go when it ends
 };
 

@@ -12,7 +12,7 @@ namespace vamp {
 namespace {
 
 struct Options {
-  std::string size = "64", samples = "16", clusters = "8", cache;
+  std::string size = "64", samples = "16", clusters = "32", cache;
 };
 
 Result<Report> run(const Options& options) {

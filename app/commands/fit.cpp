@@ -78,6 +78,9 @@ Status check_output(const fs::path& path) {
   std::error_code code;
   if (path.extension() == ".vamp" && fs::is_directory(path, code))
     return fail(ErrorKind::io, path.string(), "", "a file", "a folder");
+  // Without .vamp it is a folder that is made: a name mistyped, or that of the measurement, is none.
+  if (path.extension() != ".vamp" && fs::exists(path, code) && !fs::is_directory(path, code))
+    return fail(ErrorKind::io, path.string(), "", "a name that ends with .vamp, or a folder", "another file");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, code)) return fail(ErrorKind::io, path.string(), "", "a folder that exists", "none");
   if (::access(folder.c_str(), W_OK | X_OK) != 0)

@@ -48,7 +48,10 @@ Status check_measurement(const Btf& btf) {
   if (info.colour != BtfColour::rec709)
     return refuse("colour", "reflectance in red, green and blue, which functions can stand for", "signed logarithms");
   if (info.views.size() < 4 || info.lights.size() < 4)
-    return refuse("directions", "at least 4 views and 4 lights",
+    return refuse("directions",
+                  info.views.size() == 1
+                      ? "at least 4 views and 4 lights (what is seen from one place, vamp convert makes a .ptm of)"
+                      : "at least 4 views and 4 lights",
                   fmt::format("{} and {}", info.views.size(), info.lights.size()));
   if (std::max(info.width, info.height) > static_cast<uint32_t>(kMaxTexelSide))
     return refuse("size", fmt::format("at most {} texels a side", kMaxTexelSide),
