@@ -36,6 +36,10 @@ void add_edit(CLI::App& app, CommonOptions& common, Action& action) {
       ->check(CLI::IsMember({"auto", "cpu", "vulkan"}))
       ->capture_default_str();
   verb->add_option("--size", *size, "Size of the window, WxH");
+  verb->add_option("--edit-memory", options->edit_memory,
+                   "MiB of the device's memory from which edits are answered: stored hits, and sums of the selected "
+                   "weights; a sixteenth of it, at most 416, by default")
+      ->check(CLI::Range(0, 65536));
   verb->add_option("--frames", options->frames, "Draw this many frames, print what they took as JSON, and end")
       ->check(CLI::PositiveNumber);
   verb->add_option(

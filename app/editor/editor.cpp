@@ -110,7 +110,10 @@ void Editor::start_renderer() {
     if (!device) throw MachineError(device.error().kind, device.error().message());
     render_device_ = std::move(*device);
   }
-  session_ = std::make_unique<RenderSession>(*render_device_, document_.project(), viewport_width_, viewport_height_);
+  const uint64_t memory =
+      options_.edit_memory < 0 ? RenderSession::kAutomaticMemory : static_cast<uint64_t>(options_.edit_memory) << 20;
+  session_ =
+      std::make_unique<RenderSession>(*render_device_, document_.project(), viewport_width_, viewport_height_, memory);
   session_->pause(context_.paused || snapshot_.running());
   context_.session = session_.get();
 }

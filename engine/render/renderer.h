@@ -39,6 +39,8 @@ class Renderer {
   // them, 16 with mirrors, half as much again with more than 8 shadow rays. Samples that do not fit are traced again.
   // Before set_region(); 0 at first: a still picture is not edited.
   void set_history(uint64_t bytes) { history_bytes_ = bytes; }
+  // Memory for the sums of weights at hand, in bytes; weights that do not fit are shaded again.
+  void set_weight_memory(uint64_t bytes) { weight_bytes_ = bytes; }
 
   // Size of the whole picture and the part of it that is rendered. Restarts.
   void set_region(int picture_width, int picture_height, const Region& region);
@@ -177,6 +179,7 @@ class Renderer {
   gpu::TexelView hits_view_, visibility_view_, seen_view_, accumulators_view_, aov_view_;
   gpu::DescriptorSet set_;
 
+  uint64_t weight_bytes_ = 256u << 20;
   WeightGroup at_hand_;
   std::optional<WeightSums> weights_;
 };

@@ -26,7 +26,7 @@ void Renderer::make_weight_sums() {
     return;
   }
   weights_.emplace(*device_, WeightSpan(material_tables_, *project_, at_hand_), display_.count(), key_.planes(),
-                   tiles_.size());
+                   tiles_.size(), weight_bytes_);
   for (WeightSums::Direction& direction : weights_->directions) {
     std::vector<gpu::Bound> bound = bound_tables();
     const auto replace = [&](gpu::Bound with) {
@@ -120,7 +120,7 @@ uint64_t Renderer::gather_weights(bool tints, uint32_t most) {
 }
 
 bool Renderer::weights_ready() const {
-  if (!weights_ || replaying() || weights_->span.directions().empty()) return false;
+  if (!weights_ || replaying() || weights_->directions.empty()) return false;
   return weights_->ready(samples_) >= weights_->span.needed();
 }
 

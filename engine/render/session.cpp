@@ -19,8 +19,9 @@
 namespace vamp {
 namespace {
 
-// What edits may be answered from; at 640 x 480 some 270 samples (see Renderer::set_history).
-constexpr uint64_t kHistoryBytes = 160u << 20;
+// What edits may be answered from, for both together: at 640 x 480 the hits of some 270 samples (see
+// Renderer::set_history) and the sums of all directions.
+constexpr uint64_t kHistoryBytes = 160u << 20, kWeightBytes = 256u << 20;
 
 // So many samples are shaded again before a newer edit is looked for: some 10 ms on two cores of lavapipe.
 constexpr uint32_t kReplaySamples = 1u << 16;
@@ -29,10 +30,14 @@ constexpr uint32_t kReplaySamples = 1u << 16;
 
 class RenderSession::Impl {
  public:
-  Impl(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height)
+  Impl(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height, uint64_t edit_memory)
       : device_(device), renderer_(device), next_project_(std::move(project)), next_size_(ivec2(width, height)) {
     status_.device = device.info().name;
-    renderer_.set_history(kHistoryBytes);
+    constexpr uint64_t kAll = kHistoryBytes + kWeightBytes;
+    if (edit_memory == kAutomaticMemory) edit_memory = std::min(device.info().memory_bytes / 16, kAll);
+    const uint64_t history = edit_memory / kAll * kHistoryBytes + edit_memory % kAll * kHistoryBytes / kAll;
+    renderer_.set_history(history);
+    renderer_.set_weight_memory(edit_memory - history);
     thread_ = std::thread([this] { run(); });
   }
 
@@ -420,8 +425,9 @@ class RenderSession::Impl {
   std::thread thread_;
 };
 
-RenderSession::RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height)
-    : impl_(std::make_unique<Impl>(device, std::move(project), width, height)) {}
+RenderSession::RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height,
+                             uint64_t edit_memory)
+    : impl_(std::make_unique<Impl>(device, std::move(project), width, height, edit_memory)) {}
 RenderSession::~RenderSession() = default;
 
 void RenderSession::set_project(std::shared_ptr<const Project> project, std::string reason) {

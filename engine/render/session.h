@@ -48,7 +48,11 @@ struct Pick {
 
 class RenderSession {
  public:
-  RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height);
+  // `edit_memory`: bytes for what edits are answered from, stored hits and sums of weights; 0: edits are traced again.
+  // kAutomaticMemory: a sixteenth of the device's memory, at most 416 MiB.
+  static constexpr uint64_t kAutomaticMemory = ~uint64_t{0};
+  RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height,
+                uint64_t edit_memory = kAutomaticMemory);
   ~RenderSession();
   RenderSession(const RenderSession&) = delete;
   RenderSession& operator=(const RenderSession&) = delete;

@@ -7,10 +7,11 @@
 
 namespace vamp {
 
-WeightSums::WeightSums(gpu::Device& device, WeightSpan of, uint64_t pixels, uint32_t planes, size_t tiles)
+WeightSums::WeightSums(gpu::Device& device, WeightSpan of, uint64_t pixels, uint32_t planes, size_t tiles,
+                       uint64_t max_bytes)
     : span(std::move(of)), list(device, "pixels of the weights at hand", pixels) {
   const uint64_t bytes = pixels * 2 * planes * sizeof(vec4);
-  const size_t fit = static_cast<size_t>(std::max<uint64_t>(kMaxBytes / bytes, 1));
+  const size_t fit = static_cast<size_t>(max_bytes / bytes);
   gpu::CommandList clear = device.begin("clear sums of weights");
   for (size_t k = 0; k < std::min(fit, span.directions().size()); ++k) {
     const WeightSpan::Direction& tables = span.directions()[k];

@@ -15,10 +15,8 @@ namespace vamp {
 class WeightSums {
  public:
   // For a picture of so many pixels, accumulator planes and tiles. As many of the span's directions are kept as
-  // kMaxBytes hold, at least one; throws MachineError when memory runs out.
-  WeightSums(gpu::Device& device, WeightSpan span, uint64_t pixels, uint32_t planes, size_t tiles);
-
-  static constexpr uint64_t kMaxBytes = 256u << 20;
+  // `max_bytes` hold, 32 bytes a pixel and plane each; throws MachineError when memory runs out.
+  WeightSums(gpu::Device& device, WeightSpan span, uint64_t pixels, uint32_t planes, size_t tiles, uint64_t max_bytes);
 
   // The tables and sums of one direction, in the place of the picture's.
   struct Direction {

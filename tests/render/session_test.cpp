@@ -97,6 +97,25 @@ TEST_F(RenderTest, TheSelectedWeightFollowsWithAllItsSamples) {
   EXPECT_TRUE(std::all_of(restarted.pixels.begin(), restarted.pixels.end(), [](uint32_t mark) { return mark == 0; }));
 }
 
+TEST_F(RenderTest, WithoutMemoryForEditsThePictureIsTheSame) {
+  Project project = box_under_a_light();
+  put_material(project, "box", make_rich_material(5));
+  project.settings.max_samples = 8;
+  RenderSession session(*device, std::make_shared<const Project>(project), 48, 40, 0);
+  session.set_weights_at_hand({static_cast<int>(project.materials.size()) - 1, {{0, 1}}});
+  ASSERT_TRUE(soon([&] { return session.status().finished; }));
+  BasisEdit edit;
+  edit.gain = vec3(1.5f);
+  project.materials.back().edits.set({0, 1}, edit);
+  session.set_project(std::make_shared<const Project>(project), "weight of a function");
+  ASSERT_TRUE(
+      soon([&] { return session.status().restart_reason == "weight of a function" && session.status().finished; }));
+  EXPECT_FALSE(session.status().weights_at_hand);
+  int width = 0, height = 0;
+  uint32_t samples = 0;
+  EXPECT_EQ(session.linear_picture(width, height, samples), render(project, 48, 40, 8).image.pixels);
+}
+
 TEST_F(RenderTest, WhatAnEditRestartedIsMarked) {
   Project project = box_under_a_light();
   put_material(project, "box", make_rich_material(5));
