@@ -94,7 +94,7 @@ struct Project {
   bool operator==(const Project&) const = default;
 };
 
-inline constexpr size_t kMaxLights = 14;  // that the renderer keeps apart (MAX_LIGHTS)
+inline constexpr size_t kMaxLights = 32;  // that the renderer keeps apart (MAX_LIGHTS)
 
 // The project that a freshly opened model makes: its own materials (parts that share a material name are one part),
 // lights, cameras and extras; where it has no light at all, a neutral studio (two soft rectangle lights fitted to its

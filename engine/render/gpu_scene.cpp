@@ -1,6 +1,7 @@
 #include "engine/render/gpu_scene.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "engine/gpu/device.h"
 
@@ -73,8 +74,12 @@ Result<uint64_t> GpuScene::send_environment(gpu::Device& device, const Environme
 }
 
 uint64_t GpuScene::send_lights(gpu::Device& device, const std::vector<frame::LightRow>& rows) {
-  if (!lights) lights = gpu::TypedBuffer<frame::LightRow>(device, "lights", MAX_LIGHTS);
-  return rows.empty() ? 0 : device.upload_rows<frame::LightRow>(lights, 0, rows);
+  if (!lights.rows) {
+    lights.rows =
+        gpu::TypedBuffer<frame::LightRow>(device, "lights", MAX_LIGHTS, Usage::uniform_texel | Usage::storage);
+    lights.view = gpu::TexelView(device, lights.rows, VK_FORMAT_R32G32B32A32_SFLOAT);
+  }
+  return rows.empty() ? 0 : device.upload_rows<frame::LightRow>(lights.rows, 0, rows);
 }
 
 void GpuScene::bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) const {
@@ -82,7 +87,8 @@ void GpuScene::bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) c
   const uint64_t range = device.info().max_storage_range;
 
   bound.insert(bound.end(), {{BINDING_PARAMS, params},
-                             {BINDING_LIGHTS, lights},
+                             {BINDING_LIGHTS, lights.rows},
+                             {BINDING_LIGHT_TEXELS, lights.view},
                              {BINDING_NODES, nodes.view},
                              {BINDING_TRIANGLES, triangles.view},
                              {BINDING_BOXES, boxes.view},
@@ -103,7 +109,23 @@ void GpuScene::bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) c
                              {BINDING_ALPHA, alpha.view}});
 }
 
-frame::LightRow light_row(const Light& light) {
+namespace {
+
+float extent_of(const Light& light) {
+  switch (light.type) {
+    case LightType::rect:
+      return 0.5f * glm::length(light.size);
+    case LightType::disk:
+    case LightType::sphere:
+      return light.radius;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+frame::LightRow light_row(const Light& light, float scene_radius) {
   const LightFrame axes = light_frame(light);
   const SpotFalloff spot = spot_falloff(light);
   frame::LightRow row{};
@@ -115,7 +137,8 @@ frame::LightRow light_row(const Light& light) {
   row.half_width = 0.5f * light.size.x;
   row.half_height = 0.5f * light.size.y;
   row.radius = light.radius;
-  row.area = light_area(light);
+  row.area = light.type == LightType::directional ? 1 / (scene_radius * scene_radius) : light_area(light);
+  row.extent = extent_of(light);
   row.spot_scale = spot.scale;
   row.spot_offset = spot.offset;
   return row;

@@ -22,7 +22,7 @@ struct TexelTable {
 
 struct GpuScene {
   gpu::TypedBuffer<frame::FrameParams> params;
-  gpu::TypedBuffer<frame::LightRow> lights;
+  TexelTable<frame::LightRow> lights;
   TexelTable<uvec4> nodes;
   TexelTable<uvec4> boxes;
   TexelTable<vec4> triangles;
@@ -50,7 +50,7 @@ struct GpuScene {
   void bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) const;
 };
 
-// The kernel's row of a light.
-frame::LightRow light_row(const Light& light);
+// The kernel's row of a light in a scene of this radius.
+frame::LightRow light_row(const Light& light, float scene_radius);
 
 }  // namespace vamp

@@ -99,6 +99,7 @@ const std::vector<gpu::Binding>& kernel_bindings() {
       {BINDING_LIST, storage_buffer},
       {BINDING_SEEN, storage_texel},
       {BINDING_WHOLE, storage_texel},
+      {BINDING_LIGHT_TEXELS, uniform_texel},
   };
   return bindings;
 }
@@ -126,7 +127,8 @@ const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
                     {SPEC_PIXEL_CENTRES, key.pixel_centres},
                     {SPEC_NEW_HIT, key.new_hit},
                     {SPEC_LIST, key.list},
-                    {SPEC_HIGHLIGHT, key.highlight}};
+                    {SPEC_HIGHLIGHT, key.highlight},
+                    {SPEC_LIGHT_SLOTS, key.light_slots}};
   return pipelines_.emplace(std::pair(pass, key), gpu::ComputePipeline(*device_, desc)).first->second;
 }
 

@@ -31,10 +31,15 @@ struct KernelKey {
   bool new_hit = true;
   bool list = false;
   bool highlight = false;
+  uint32_t light_slots = 0;
   auto operator<=>(const KernelKey&) const = default;
 
-  uint32_t ray_count() const { return light_count + (ambient ? 1u : 0u) + (environment ? 1u : 0u); }
-  uint32_t planes() const { return 1 + ray_count(); }
+  // Shadow rays of a sample at one vertex, and accumulator planes.
+  uint32_t ray_count() const { return (light_slots > 0 ? light_slots : light_count) + others(); }
+  uint32_t planes() const { return 1 + light_count + others(); }
+
+ private:
+  uint32_t others() const { return (ambient ? 1u : 0u) + (environment ? 1u : 0u); }
 };
 
 // All kernels share one set of bindings.

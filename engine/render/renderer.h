@@ -30,6 +30,13 @@ struct Change {
   uint64_t bytes = 0;         // sent to the device
 };
 
+// Where more lights than `above` are on, a sample traces rays to so many of them, drawn by chance
+// (shaders/lib/light_choice.glsl), instead of a ray to each.
+struct LightDraws {
+  size_t above = 4;
+  uint32_t slots = 2;
+};
+
 class Renderer {
  public:
   // `shade`: see Kernels.
@@ -41,6 +48,9 @@ class Renderer {
   void set_history(uint64_t bytes) { history_bytes_ = bytes; }
   // Memory for the sums of weights at hand, in bytes; weights that do not fit are shaded again.
   void set_weight_memory(uint64_t bytes) { weight_bytes_ = bytes; }
+
+  // Another way of drawing lights, for measurements. Before set_project().
+  void set_light_draws(const LightDraws& draws) { draws_ = draws; }
 
   // Size of the whole picture and the part of it that is rendered. Restarts.
   void set_region(int picture_width, int picture_height, const Region& region);
@@ -161,6 +171,7 @@ class Renderer {
   std::shared_ptr<const SceneTables> scene_tables_;
   MaterialTables material_tables_;
   std::vector<frame::PartRow> part_rows_;
+  LightDraws draws_;
   std::vector<size_t> lights_;  // which of the project's lights are traced
   GpuScene gpu_;
   KernelKey key_;

@@ -160,13 +160,14 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     new_tables = true;
     restart("environment");
   }
-  if (lights_moved(now)) {
+  // A row says how a light stands to the scene.
+  if (lights_moved(now) || new_geometry) {
     lights_.clear();
     std::vector<frame::LightRow> light_rows;
     for (size_t i = 0; i < now.lights.size(); ++i)
       if (now.lights[i].on) {
         lights_.push_back(i);
-        light_rows.push_back(light_row(now.lights[i]));
+        light_rows.push_back(light_row(now.lights[i], now.scene->bounds.radius()));
       }
     change.bytes += gpu_.send_lights(*device_, light_rows);
     restart("lights");
@@ -175,6 +176,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   // What the kernels are specialised for.
   KernelKey key = key_;
   key.light_count = static_cast<uint32_t>(lights_.size());
+  key.light_slots = lights_.size() > draws_.above ? draws_.slots : 0;
   key.light_types = 0;
   for (const size_t i : lights_) key.light_types |= 1u << static_cast<uint32_t>(now.lights[i].type);
   key.environment = now.environment.map != nullptr;

@@ -22,11 +22,13 @@ layout(constant_id = SPEC_PIXEL_CENTRES) const bool PIXEL_CENTRES = false;
 layout(constant_id = SPEC_NEW_HIT) const bool NEW_HIT = true;
 layout(constant_id = SPEC_LIST) const bool LIST = false;
 layout(constant_id = SPEC_HIGHLIGHT) const bool HIGHLIGHT = false;
+layout(constant_id = SPEC_LIGHT_SLOTS) const uint LIGHT_SLOTS = 0;
 
 layout(local_size_x = GROUP_SIZE) in;
 
 layout(scalar, binding = BINDING_PARAMS) readonly buffer ParamsBlock { FrameParams params; };
 layout(scalar, binding = BINDING_LIGHTS) readonly buffer LightsBlock { LightRow lights[]; };
+layout(binding = BINDING_LIGHT_TEXELS) uniform samplerBuffer light_texels;  // the same
 layout(binding = BINDING_NODES) uniform samplerBuffer nodes_texels;  // bits of uvec4
 layout(binding = BINDING_BOXES) uniform samplerBuffer box_texels;    // bits of uvec4
 layout(binding = BINDING_TRIANGLES) uniform samplerBuffer triangle_texels;
@@ -61,9 +63,11 @@ layout(push_constant, scalar) uniform PushBlock { TilePush tile; };
 const float PI = 3.14159265358979323846;
 const float HUGE = 3.0e38;
 
-// Shadow rays of one vertex: lights, then ambient, then environment; the order of visibility bits and planes. At least one:
-// where nothing lights a scene, the ambient is kept with a radiance of 0.
-const uint RAY_COUNT = LIGHT_COUNT + (AMBIENT ? 1u : 0u) + (ENVIRONMENT ? 1u : 0u);
+// Shadow rays of one vertex: one to each light, or to each of those drawn where there are many, then ambient, then
+// environment; the order of visibility bits, and of planes but for drawn lights. At least one: where nothing lights a scene,
+// the ambient is kept with a radiance of 0.
+const uint LIGHT_RAYS = LIGHT_SLOTS > 0u ? LIGHT_SLOTS : LIGHT_COUNT;
+const uint RAY_COUNT = LIGHT_RAYS + (AMBIENT ? 1u : 0u) + (ENVIRONMENT ? 1u : 0u);
 const uint VERTEX_COUNT = MIRROR ? 2u : 1u;
 
 // A stored hit's four samples have a bit for each shadow ray: sample * RAY_COUNT + ray, in so many words a vertex.

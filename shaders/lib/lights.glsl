@@ -1,4 +1,4 @@
-// Shadow rays: one to each light, one for the ambient, one to the environment. Trace draws them to find what is in the way,
+// Shadow rays: one to each light or to some of many, one for the ambient, one to the environment. Trace draws them to find what is in the way,
 // shade draws the same ones again to weigh them; both from the same counters.
 
 // A direction to sample, how far to look, and the factor that turns ReflectedCos into this sample's share of the picture
@@ -28,8 +28,7 @@ void basis_about(vec3 n, out vec3 t, out vec3 b) {
   b = vec3(c, s + n.y * n.y * a, -n.y);
 }
 
-LightSample sample_light(uint which, vec3 p, vec2 u) {
-  LightRow light = lights[which];
+LightSample sample_light(LightRow light, vec3 p, vec2 u) {
   vec3 to = light.center - p;
   LightSample s = LightSample(vec3(0, 0, 1), 0.0, 0.0);
   uint type = light.type;
@@ -149,6 +148,7 @@ LightSample sample_environment(vec2 cell, vec2 inside, out vec3 radiance) {
 }
 
 #include "shaders/lib/mixture.glsl"
+#include "shaders/lib/light_choice.glsl"
 
 // Rays from below the face or the shading normal carry nothing: the rule at the terminator is that a light counts when it
 // stands above both.
@@ -160,18 +160,26 @@ LightSample above_surface(LightSample s, SurfacePoint point) {
 
 // The shadow rays of a sample at one vertex, in the order of visibility bits and planes: lights, ambient, environment, and
 // the radiance along the environment's at intensity 1. Each kind is drawn by code of its own: on lavapipe drawing all kinds
-// and choosing one costs as much as all kinds.
-void draw_shadow_rays(SurfacePoint point, uint seed, uint sample_index, uint vertex, out LightSample rays[RAY_COUNT],
-                      out vec3 environment) {
+// and choosing one costs as much as all kinds. `ends`: of light_ends() at the point, and `drawn`: the light of each slot, where
+// lights are drawn.
+void draw_shadow_rays(SurfacePoint point, float ends[LIGHT_ENDS], uint seed, uint sample_index, uint vertex,
+                      out LightSample rays[RAY_COUNT], out uint drawn[SLOT_ENDS], out vec3 environment) {
   uint base = vertex * PAIR_MIRROR;
   environment = vec3(0.0);
   Highlight highlight;
   if (HIGHLIGHT) highlight = highlight_at(point);
-  for (uint i = 0u; i < LIGHT_COUNT; ++i) {
+  for (uint i = 0u; i < LIGHT_RAYS; ++i) {
     vec2 u = random_pair(seed, sample_index, base + PAIR_LIGHT + i);
+    LightChoice choice = LightChoice(i, 1.0);
+    if (LIGHT_SLOTS > 0u) choice = choose_light(ends, i, u);
+    LightRow light = fetch_light(choice.light);
     LightSample s;
-    if (HIGHLIGHT) s = sample_light_or_highlight(i, point, highlight, u);
-    else s = sample_light(i, point.position, u);
+    if (HIGHLIGHT) s = sample_light_or_highlight(light, point, highlight, u);
+    else s = sample_light(light, point.position, u);
+    if (LIGHT_SLOTS > 0u) {
+      s.factor = choice.share > 0.0 ? s.factor / choice.share : 0.0;
+      drawn[i] = choice.light;
+    }
     rays[i] = above_surface(s, point);
   }
   if (AMBIENT) {
@@ -180,7 +188,7 @@ void draw_shadow_rays(SurfacePoint point, uint seed, uint sample_index, uint ver
     LightSample s;
     if (HIGHLIGHT) s = sample_ambient_or_highlight(point, highlight, u, choice);
     else s = sample_ambient(point.normal, point.view, u, choice);
-    rays[LIGHT_COUNT] = above_surface(s, point);
+    rays[LIGHT_RAYS] = above_surface(s, point);
   }
   if (ENVIRONMENT) {
     vec2 cell = random_pair(seed, sample_index, base + PAIR_ENVIRONMENT_CELL);

@@ -83,15 +83,14 @@ vec2 meet_light(LightRow light, vec3 p, vec3 direction) {
 }
 
 // A point of an area light, or where the highlight meets it.
-LightSample sample_light_or_highlight(uint which, SurfacePoint point, Highlight highlight, vec2 u) {
-  LightRow light = lights[which];
+LightSample sample_light_or_highlight(LightRow light, SurfacePoint point, Highlight highlight, vec2 u) {
   bool area = (AREA_LIGHTS >> light.type & 1u) != 0u;
   vec3 to = light.center - point.position;
   float d2 = max(dot(to, to), 1e-24);
   float facing = light.type == LIGHT_SPHERE ? 0.25 : abs(dot(to, light.n)) * inversesqrt(d2);
   float chance = area ? highlight_chance(highlight, light.area * facing / d2) : 0.0;
   bool picked = picks_highlight(chance, u);
-  LightSample s = sample_light(which, point.position, u);
+  LightSample s = sample_light(light, point.position, u);
   float density = s.factor > 0.0 ? 1.0 / s.factor : 0.0;
   if (picked) {
     s.direction = highlight_direction(highlight, u);

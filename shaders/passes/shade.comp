@@ -10,11 +10,16 @@
 #include "shaders/lib/spmm.glsl"
 #include "shaders/lib/composite.glsl"
 
-const uint PLANE_COUNT = PLANE_LIGHTS + RAY_COUNT;
+// Planes to which each sample adds one value: all of them, but where lights are drawn only what is seen directly, ambient
+// and environment, whose planes follow those of all lights.
+const uint EVEN_PLANES = PLANE_LIGHTS + RAY_COUNT - LIGHT_SLOTS;
+const uint DRAWN_LIGHTS = SAMPLES * SLOT_ENDS;
+const uint DRAWN_PLANES = LIGHT_SLOTS > 0u ? LIGHT_COUNT : 0u;
 
 // Light that one vertex of the path sends towards the viewer: a value for each sample and shadow ray.
 void shade_vertex(Ray ray, int triangle, uint seed, uint index, uint vertex, float throughput,
-                  inout vec3 light[DIRECTION_COUNT], inout uint clusters, out SurfacePoint point) {
+                  out vec3 light[DIRECTION_COUNT], out uint drawn[DRAWN_LIGHTS], inout uint clusters,
+                  out SurfacePoint point) {
   bool hit = triangle >= 0;
   point = surface_point(ray, max(triangle, 0));
   SurfaceFrame frame = surface_frame(point, max(triangle, 0));
@@ -31,12 +36,16 @@ void shade_vertex(Ray ray, int triangle, uint seed, uint index, uint vertex, flo
   vec3 wi[DIRECTION_COUNT];
   vec3 factor[DIRECTION_COUNT];
   vec3 value[DIRECTION_COUNT];
+  float ends[LIGHT_ENDS];
+  if (LIGHT_SLOTS > 0u) light_ends(point, ends);
   for (uint k = 0u; k < SAMPLES; ++k) {
-    LightSample drawn[RAY_COUNT];
+    LightSample rays[RAY_COUNT];
+    uint lights_of_rays[SLOT_ENDS];
     vec3 environment;
-    draw_shadow_rays(point, seed, tile.sample_base + k, vertex, drawn, environment);
+    draw_shadow_rays(point, ends, seed, tile.sample_base + k, vertex, rays, lights_of_rays, environment);
+    for (uint slot = 0u; slot < LIGHT_SLOTS; ++slot) drawn[k * LIGHT_SLOTS + slot] = lights_of_rays[slot];
     for (uint kind = 0u; kind < RAY_COUNT; ++kind) {
-      LightSample s = drawn[kind];
+      LightSample s = rays[kind];
       uint d = k * RAY_COUNT + kind;
       uint bit = visibility_bit(k, kind);
       bool arrives = hit && (words[VISIBILITY_WORDS == 1u ? 0u : bit >> 5] >> (bit & 31u) & 1u) != 0u;
@@ -50,7 +59,27 @@ void shade_vertex(Ray ray, int triangle, uint seed, uint index, uint vertex, flo
   uint met = 0u;
   spmm_eval(part, frame.uv, tap, wo, wi, value, met);
   clusters |= hit ? met : 0u;
-  for (uint d = 0u; d < DIRECTION_COUNT; ++d) light[d] += value[d] * factor[d];
+  for (uint d = 0u; d < DIRECTION_COUNT; ++d) light[d] = value[d] * factor[d];
+}
+
+// A pixel's accumulator of one plane. A sample at a time is added, so that any batching gives the same bits.
+struct Sum {
+  vec4 sum, rest;
+};
+int place_of_sum(uint plane, uint index) { return int(2u * plane * region_pixels() + index); }
+Sum load_sum(uint plane, uint index) {
+  int at = place_of_sum(plane, index);
+  return Sum(imageLoad(accumulators, at), imageLoad(accumulators, at + int(region_pixels())));
+}
+void store_sum(uint plane, uint index, Sum s) {
+  int at = place_of_sum(plane, index);
+  imageStore(accumulators, at, s.sum);
+  imageStore(accumulators, at + int(region_pixels()), s.rest);
+}
+void add_to_light(uint light, uint index, vec3 value) {
+  Sum s = load_sum(PLANE_LIGHTS + light, index);
+  add_compensated(s.sum, s.rest, vec4(value, 0.0));
+  store_sum(PLANE_LIGHTS + light, index, s);
 }
 
 void main() {
@@ -63,8 +92,8 @@ void main() {
   int triangle = int(imageLoad(hits, hit_place(0u, index)).x) - 1;
 
   // What is seen directly is the same for all samples of a hit.
-  vec3 light[DIRECTION_COUNT];
-  for (uint d = 0u; d < DIRECTION_COUNT; ++d) light[d] = vec3(0.0);
+  vec3 light[DIRECTION_COUNT], mirrored_light[DIRECTION_COUNT];
+  uint drawn[DRAWN_LIGHTS], mirrored_drawn[DRAWN_LIGHTS];
   bool hit = triangle >= 0;
   vec4 direct = vec4(0.0, 0.0, 0.0, hit ? 1.0 : 0.0);
   bool sees_environment = params.background_is_environment != 0u;
@@ -79,47 +108,60 @@ void main() {
   }
   SurfacePoint point;
   uint clusters = tile.sample_base > 0u ? imageLoad(seen, int(index)).x : 0u;
-  shade_vertex(ray, triangle, seed, index, 0u, 1.0 - fresnel, light, clusters, point);
+  shade_vertex(ray, triangle, seed, index, 0u, 1.0 - fresnel, light, drawn, clusters, point);
   if (MIRROR) {
     Ray mirrored = mirror_ray(ray, point);
     int next = int(imageLoad(hits, hit_place(1u, index)).x) - 1;
     SurfacePoint reflected;
-    shade_vertex(mirrored, fresnel > 0.0 ? next : -1, seed, index, 1u, fresnel, light, clusters, reflected);
+    shade_vertex(mirrored, fresnel > 0.0 ? next : -1, seed, index, 1u, fresnel, mirrored_light, mirrored_drawn, clusters,
+                 reflected);
     reflected_light = light_hit(mirrored.origin, mirrored.direction, next >= 0 ? reflected.t : HUGE);
     if (fresnel > 0.0 && next < 0 && reflected_light < 0)
       direct.rgb += fresnel * (ENVIRONMENT || sees_environment ? environment_radiance(mirrored.direction) : params.background);
   }
 
-  uint pixels = region_pixels();
   uint count = tile.sample_base + SAMPLES;
   bool shown_to_someone = tile.weights_alone == 0u;
   if (shown_to_someone) {
     imageStore(seen, int(index), uvec4(clusters));
-    imageStore(seen, int(pixels + index), uvec4(count));
+    imageStore(seen, int(region_pixels() + index), uvec4(count));
   }
 
-  // Compensated sums, a sample at a time, so that any batching gives the same bits.
+  // Of a light in a mirror: that has no weights.
+  float reflectance = shown_to_someone ? fresnel : 0.0;
+  if (LIGHT_SLOTS > 0u) {
+    uint fresh_planes = tile.sample_base > 0u ? 0u : LIGHT_COUNT;
+    for (uint i = 0u; i < fresh_planes; ++i) store_sum(PLANE_LIGHTS + i, index, Sum(vec4(0.0), vec4(0.0)));
+    for (uint k = 0u; k < SAMPLES; ++k) {
+      for (uint slot = 0u; slot < LIGHT_SLOTS; ++slot) {
+        add_to_light(drawn[k * LIGHT_SLOTS + slot], index, light[k * RAY_COUNT + slot]);
+        if (MIRROR) add_to_light(mirrored_drawn[k * LIGHT_SLOTS + slot], index, mirrored_light[k * RAY_COUNT + slot]);
+      }
+      if (MIRROR) add_to_light(uint(max(reflected_light, 0)), index, vec3(reflected_light < 0 ? 0.0 : reflectance));
+    }
+  }
   float mean = 1.0 / float(count);
   vec3 radiance = vec3(0.0);
-  for (uint plane = 0u; plane < PLANE_COUNT; ++plane) {
-    int at = int(2u * plane * pixels + index);
-    vec4 sum = vec4(0.0), rest = vec4(0.0);
-    if (tile.sample_base > 0u) {
-      sum = imageLoad(accumulators, at);
-      rest = imageLoad(accumulators, at + int(pixels));
-    }
+  for (uint i = 0u; i < EVEN_PLANES; ++i) {
+    uint plane = i > PLANE_DIRECT ? i + DRAWN_PLANES : i;
+    Sum s = Sum(vec4(0.0), vec4(0.0));
+    if (tile.sample_base > 0u) s = load_sum(plane, index);
     for (uint k = 0u; k < SAMPLES; ++k) {
       vec4 c = direct;
-      if (plane > PLANE_DIRECT) {
-        c = vec4(light[k * RAY_COUNT + plane - PLANE_LIGHTS], 0.0);
-        if (MIRROR && shown_to_someone && int(plane - PLANE_LIGHTS) == reflected_light) c.rgb += vec3(fresnel);
+      if (i > PLANE_DIRECT) {
+        uint d = k * RAY_COUNT + LIGHT_SLOTS + i - PLANE_LIGHTS;
+        c = vec4(light[d], 0.0);
+        if (MIRROR) c.rgb += mirrored_light[d];
+        if (MIRROR && int(plane - PLANE_LIGHTS) == reflected_light) c.rgb += vec3(reflectance);
       }
-      add_compensated(sum, rest, c);
+      add_compensated(s.sum, s.rest, c);
     }
-    imageStore(accumulators, at, sum);
-    imageStore(accumulators, at + int(pixels), rest);
-    radiance += plane_emission(plane) * sum.rgb * mean;
-    if (plane == PLANE_DIRECT && !sees_environment) radiance += params.background * (1.0 - sum.w * mean);
+    store_sum(plane, index, s);
+    radiance += plane_emission(plane) * s.sum.rgb * mean;
+    if (i == PLANE_DIRECT && !sees_environment) radiance += params.background * (1.0 - s.sum.w * mean);
+    uint after_direct = i == PLANE_DIRECT ? DRAWN_PLANES : 0u;
+    for (uint l = PLANE_LIGHTS; l < PLANE_LIGHTS + after_direct; ++l)
+      radiance += plane_emission(l) * imageLoad(accumulators, place_of_sum(l, index)).rgb * mean;
   }
   uint shown = display_pixel(radiance);
   uvec2 end = min(uvec2(tile.stride), uvec2(tile.x + tile.width, tile.y + tile.height) - pixel);

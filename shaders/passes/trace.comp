@@ -34,10 +34,13 @@ void main() {
     // their walk sooner than two of different kinds.
     vec4 rays[RAYS + 1u];
     rays[RAYS] = vec4(0.0, 0.0, 1.0, -1.0);
+    float ends[LIGHT_ENDS];
+    if (LIGHT_SLOTS > 0u) light_ends(point, ends);
     for (uint k = 0u; k < SAMPLES; ++k) {
       LightSample drawn[RAY_COUNT];
+      uint unused[SLOT_ENDS];
       vec3 environment;
-      draw_shadow_rays(point, seed, tile.sample_base + k, vertex, drawn, environment);
+      draw_shadow_rays(point, ends, seed, tile.sample_base + k, vertex, drawn, unused, environment);
       // The end stays clear of the emitter's own surroundings by the same margin as the start.
       for (uint kind = 0u; kind < RAY_COUNT; ++kind) {
         LightSample s = drawn[kind];

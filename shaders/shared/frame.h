@@ -34,6 +34,7 @@ using uint = std::uint32_t;
 #define BINDING_LIST 25
 #define BINDING_SEEN 26
 #define BINDING_WHOLE 27
+#define BINDING_LIGHT_TEXELS 28
 
 // What a kernel is specialised for (constant_id): the scene pays only for what it uses.
 #define SPEC_SAMPLES 0             // samples in one dispatch: 1 or 4
@@ -51,8 +52,9 @@ using uint = std::uint32_t;
 #define SPEC_NEW_HIT 12            // bool: trace the primary ray, else take the stored hit
 #define SPEC_LIST 13               // bool: pixels from a list instead of a tile
 #define SPEC_HIGHLIGHT 14          // bool: some visible part has a sharp highlight that directions are drawn from too
+#define SPEC_LIGHT_SLOTS 15        // 0: a ray to every light; else so many lights are drawn by each sample
 
-#define MAX_LIGHTS 14              // with ambient and environment 16 shadow rays: two words of bits for a hit's four samples
+#define MAX_LIGHTS 32
 #define TILE_SIDE 64
 #define GROUP_SIZE 64
 #define SAMPLES_PER_HIT 4          // one stored primary hit serves four samples
@@ -74,10 +76,11 @@ struct LightRow {
   float half_height;
   vec3 n;
   float radius;
-  float area;        // square scene units
+  float area;        // square scene units; directional: 1 / square of the scene's radius, see light_choice.glsl
   float spot_scale, spot_offset;
-  float unused;
+  float extent;      // radius of a sphere about the centre that holds all of the light
 };
+#define LIGHT_ROW_TEXELS 5         // RGBA32F
 
 // One part: its geometry's use of a material. 6 texels RGBA32UI.
 struct PartRow {
