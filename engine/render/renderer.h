@@ -33,7 +33,7 @@ struct Change {
 // Where more lights than `above` are on, a sample traces rays to so many of them, drawn by chance
 // (shaders/lib/light_choice.glsl), instead of a ray to each.
 struct LightDraws {
-  size_t above = 4;
+  size_t above = 3;
   uint32_t slots = 2;
 };
 

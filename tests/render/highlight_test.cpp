@@ -16,27 +16,6 @@ namespace {
 
 constexpr float kWidth = 0.03f;
 
-// A dark base under a highlight of this width.
-SpmmPtr lacquer(float m) {
-  auto fit = std::make_shared<Spmm>();
-  fit->width = fit->height = 1;
-  fit->clusters = {{"all"}};
-  Basis base, gloss;
-  base.name = "base";
-  base.lobe = default_lobe(Model::lambert);
-  gloss.name = "gloss";
-  gloss.lobe = default_lobe(Model::cook_torrance);
-  gloss.lobe.params[1] = m;
-  fit->dictionary = {base, gloss};
-  const auto entry = [](uint32_t basis, float w) {
-    const uint32_t h = half_from_float(w);
-    return tables::Entry{basis | h << 16, h | h << 16};
-  };
-  fit->texels = {{0, 2u << 8, 0, 0}};
-  fit->entries = {entry(0, 0.1f), entry(1, 1)};
-  return fit;
-}
-
 Project ball(SpmmPtr fit) {
   SceneBuilder scene;
   scene.add_sphere("ball", vec3(0), 1, 64);
@@ -50,9 +29,9 @@ Project ball(SpmmPtr fit) {
 
 // The same look by an edit of a broad fit, whose rays are drawn from lights alone.
 Project edited_ball() {
-  Project project = ball(lacquer(0.5f));
+  Project project = ball(make_lacquer(0.5f));
   BasisEdit edit;
-  edit.lobe = lacquer(kWidth)->dictionary[1].lobe;
+  edit.lobe = make_lacquer(kWidth)->dictionary[1].lobe;
   project.materials.back().edits.set({0, 1}, edit);
   return project;
 }
@@ -89,7 +68,7 @@ double squared_difference(const Image& a, const Image& b) {
 class HighlightTest : public RenderTest {
  protected:
   void expect_same_with_less_noise(const std::function<void(Project&)>& light, double slack = 0.01) {
-    Project drawn = ball(lacquer(kWidth)), plain = edited_ball();
+    Project drawn = ball(make_lacquer(kWidth)), plain = edited_ball();
     light(drawn);
     light(plain);
     const Still reference = render(plain, 24, 24, 4096);
@@ -131,7 +110,7 @@ TEST_F(HighlightTest, InAnEnvironment) {
 }
 
 TEST_F(HighlightTest, AConstantEnvironmentIsAmbientLight) {
-  Project sky = ball(lacquer(kWidth)), ambient = sky;
+  Project sky = ball(make_lacquer(kWidth)), ambient = sky;
   put_under_a_sky(sky, 16, 1);
   ambient.ambient = vec3(1);
   const double expected = mean_of(render(ambient, 24, 24, 2048).image);
@@ -139,7 +118,7 @@ TEST_F(HighlightTest, AConstantEnvironmentIsAmbientLight) {
 }
 
 TEST_F(HighlightTest, LightsWithoutSizeAreDrawnAsBefore) {
-  Project drawn = ball(lacquer(kWidth)), plain = edited_ball();
+  Project drawn = ball(make_lacquer(kWidth)), plain = edited_ball();
   drawn.lights = plain.lights = {light_of(LightType::point), light_of(LightType::spot)};
   const Still a = render(drawn, 24, 24, 4), b = render(plain, 24, 24, 4);
   EXPECT_LE(squared_difference(a.image, b.image), 1e-12 * squared_difference(b.image, Image(24, 24, {"R"})));
@@ -147,7 +126,7 @@ TEST_F(HighlightTest, LightsWithoutSizeAreDrawnAsBefore) {
 
 // An edit of the sharp highlight, even one that takes it away, is shaded again from the rays that were traced for it.
 TEST_F(HighlightTest, AnEditMovesNoRay) {
-  Project project = ball(lacquer(kWidth));
+  Project project = ball(make_lacquer(kWidth));
   project.lights = {light_of(LightType::rect)};
   project.ambient = vec3(0.2f);
   const auto finish = [&](Renderer& renderer) {
@@ -162,7 +141,7 @@ TEST_F(HighlightTest, AnEditMovesNoRay) {
   renderer.set_region(40, 40, {0, 0, 40, 40});
   finish(renderer);
   BasisEdit edit;
-  edit.lobe = lacquer(0.4f)->dictionary[1].lobe;
+  edit.lobe = make_lacquer(0.4f)->dictionary[1].lobe;
   project.materials.back().edits.set({0, 1}, edit);
   const auto change = renderer.set_project(std::make_shared<const Project>(project));
   ASSERT_TRUE(change);
@@ -179,13 +158,13 @@ TEST_F(HighlightTest, AnEditMovesNoRay) {
 
 // A material whose rays are drawn another way comes with other rays.
 TEST_F(HighlightTest, AnotherMaterialStartsAgain) {
-  Project project = ball(lacquer(0.5f));
+  Project project = ball(make_lacquer(0.5f));
   project.lights = {light_of(LightType::rect)};
   Renderer renderer(*device);
   ASSERT_TRUE(renderer.set_project(std::make_shared<const Project>(project)));
   renderer.set_region(16, 16, {0, 0, 16, 16});
   device->wait(renderer.refine_all(1));
-  project.materials.back().fit = lacquer(kWidth);
+  project.materials.back().fit = make_lacquer(kWidth);
   const auto change = renderer.set_project(std::make_shared<const Project>(project));
   ASSERT_TRUE(change);
   EXPECT_TRUE(change->restarted);

@@ -152,6 +152,26 @@ SpmmPtr make_rich_material(uint32_t seed) {
   return fit;
 }
 
+SpmmPtr make_lacquer(float m) {
+  auto fit = std::make_shared<Spmm>();
+  fit->width = fit->height = 1;
+  fit->clusters = {{"all"}};
+  Basis base, gloss;
+  base.name = "base";
+  base.lobe = default_lobe(Model::lambert);
+  gloss.name = "gloss";
+  gloss.lobe = default_lobe(Model::cook_torrance);
+  gloss.lobe.params[1] = m;
+  fit->dictionary = {base, gloss};
+  const auto entry = [](uint32_t basis, float w) {
+    const uint32_t h = half_from_float(w);
+    return tables::Entry{basis | h << 16, h | h << 16};
+  };
+  fit->texels = {{0, 2u << 8, 0, 0}};
+  fit->entries = {entry(0, 0.1f), entry(1, 1)};
+  return fit;
+}
+
 void put_material(Project& project, const std::string& part, SpmmPtr fit) {
   MaterialInstance material;
   material.name = "rich";

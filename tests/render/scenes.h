@@ -41,6 +41,9 @@ Project dark_project(std::shared_ptr<const Scene> scene);
 // texels, random by `seed`, finite and mild.
 SpmmPtr make_rich_material(uint32_t seed);
 
+// A dark base under a highlight of this width, in one texel.
+SpmmPtr make_lacquer(float m);
+
 // Puts a material on a part as a preset's.
 void put_material(Project& project, const std::string& part, SpmmPtr fit);
 
