@@ -14,14 +14,14 @@
 namespace vamp {
 namespace {
 
-// A region's buffers take about 100 bytes a pixel and 32 for each accumulator plane: some 300 MB at this size.
-constexpr int kRegionSide = 1024;
-
-std::vector<Region> regions_of(int width, int height) {
+// A region's buffers take about 100 bytes a pixel and 32 for each accumulator plane: some 300 MB at 1024 x 1024 with
+// few lights, and at 512 x 512 with 32 of them.
+std::vector<Region> regions_of(int width, int height, uint32_t planes) {
+  const int side = planes <= 16 ? 1024 : 512;
   std::vector<Region> regions;
-  for (int y = 0; y < height; y += kRegionSide)
-    for (int x = 0; x < width; x += kRegionSide)
-      regions.push_back({x, y, std::min(kRegionSide, width - x), std::min(kRegionSide, height - y)});
+  for (int y = 0; y < height; y += side)
+    for (int x = 0; x < width; x += side)
+      regions.push_back({x, y, std::min(side, width - x), std::min(side, height - y)});
   return regions;
 }
 
@@ -132,7 +132,7 @@ Result<Still> render_still(gpu::Device& device, std::shared_ptr<const Project> p
   still.samples = options.samples;
   Renderer renderer(device);
   VAMP_CHECK_STATUS(renderer.set_project(project));
-  const std::vector<Region> regions = regions_of(options.width, options.height);
+  const std::vector<Region> regions = regions_of(options.width, options.height, renderer.key().planes());
   const bool by_time = options.seconds > 0;
   const uint32_t samples =
       by_time && regions.size() > 1 ? samples_in_time(device, renderer, regions, options, progress) : options.samples;
