@@ -20,7 +20,9 @@ Result<Report> run(const Options& options, const CommonOptions& common) {
   VAMP_TRY(const uint32_t side, count_option(options.side, "--size", 16, 1024));
   VAMP_TRY(bench.samples, count_option(options.samples, "--samples", 8, 4096));
   VAMP_TRY(bench.reference, count_option(options.reference, "--reference", 64, 1 << 20));
-  if (!options.slots.empty()) VAMP_TRY(bench.draws.slots, count_option(options.slots, "--slots", 1, 8));
+  if (!options.slots.empty()) {
+    VAMP_TRY(bench.draws.slots, count_option(options.slots, "--slots", 1, 8));
+  }
   VAMP_TRY(Project project, bench_project(options.scene));
   VAMP_TRY(const auto device, open_device(common));
   if (!options.scene.empty()) bench.name += " " + options.scene;
