@@ -92,7 +92,7 @@ Status paper_figure6(gpu::Device& device, const PaperBench& options, Report& rep
 
   steps.clear();
   for (const int thousands : {250, 500, 750, 1000})
-    steps.push_back({fmt::format("{},000", thousands), shapes_project(1000 * thousands),
+    steps.push_back({fmt::format("{}", fmt::group_digits(1000 * thousands)), shapes_project(1000 * thousands),
                      thousands == 250 ? "18.0 ms" : "in proportion, more near a million"});
   VAMP_CHECK_STATUS(measure(device, options, "b: triangles", std::move(steps), report));
 
