@@ -83,7 +83,7 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
   if (const auto text = read_text(path, 1 << 20))
     if (auto old = parse_json(*text, path.string()); old && old->contains("key") && (*old)["key"] == key)
       figures = std::move(*old);
-  if (figures.contains(options.all ? "any" : "curve")) return figures;
+  if (figures.contains(options.all ? "any" : "small_curve")) return figures;
 
   VAMP_TRY(const FitData data, fit_data(material, options, progress));
   Fitter fitter(data, threads, progress);
@@ -100,6 +100,8 @@ Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& opti
   };
   const fit::FitOptions usual{.clusters = kFitClusters};
   VAMP_CHECK_STATUS(part(figures, "curve", usual, [&](const Spmm& spmm) { return fitter.curve(spmm); }));
+  VAMP_CHECK_STATUS(part(figures, "small_curve", {.clusters = kSmallFitClusters},
+                         [&](const Spmm& spmm) { return fitter.curve(spmm); }));
   if (!options.all) return figures;
   fit::FitOptions few = usual, few_any = usual, any = usual, ring = usual;
   few.functions = few_any.functions = 3;

@@ -7,10 +7,13 @@ namespace vamp {
 
 // A representation: {"name", "kib", "ns", "measured", "between", "mssim"}; errors relative RMSE, mssim at two texels a
 // pixel over pictures between the measured directions.
-// The whole: {"noise", "noise_between", "tilt", "curve": [..], "few": .., "few_any": .., "any": .., "ring": ..}.
+// The whole: {"noise", "noise_between", "tilt", "curve": [..], "small_curve": [..], "few": .., "few_any": .., "any":
+// .., "ring": ..}.
 Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& options, int threads, Progress& progress);
 
-// Of 64 x 64 texels; a cluster has as many texels as one of 128 x 128 has by default, and twice as many tables.
+// Of 64 x 64 texels: between the 8 that give a cluster as many texels as vamp fit gives it at 128 x 128, and its 32.
 inline constexpr int kFitClusters = 16;
+// Where bytes count.
+inline constexpr int kSmallFitClusters = 8;
 
 }  // namespace vamp
