@@ -47,6 +47,13 @@ Renderer::Renderer(gpu::Device& device, std::span<const uint32_t> shade) : devic
   gpu_.params = gpu::TypedBuffer<frame::FrameParams>(device, "frame", 1);
 }
 
+Status Renderer::sums_fit(uint32_t planes, int width, int height) const {
+  return device_->fits_texel_view("sums of each light at this size of the picture",
+                                  uint64_t{2} * planes * static_cast<uint64_t>(width) * static_cast<uint64_t>(height));
+}
+
+Status Renderer::region_fits(int width, int height) const { return sums_fit(key_.planes(), width, height); }
+
 void Renderer::set_region(int picture_width, int picture_height, const Region& region) {
   CHECK(region.width > 0 && region.height > 0 && region.x >= 0 && region.y >= 0);
   CHECK(region.x + region.width <= picture_width && region.y + region.height <= picture_height);

@@ -52,7 +52,10 @@ class Renderer {
   // Another way of drawing lights, for measurements. Before set_project().
   void set_light_draws(const LightDraws& draws) { draws_ = draws; }
 
-  // Size of the whole picture and the part of it that is rendered. Restarts.
+  // Whether the device takes the sums of a region of this size, with the lights of the project. Error: what does not
+  // fit.
+  Status region_fits(int width, int height) const;
+  // Size of the whole picture and the part of it that is rendered; it fits. Restarts.
   void set_region(int picture_width, int picture_height, const Region& region);
 
   // Compares with the project drawn last and sends the difference. Errors: tables too large for the device, no such
@@ -139,6 +142,7 @@ class Renderer {
 
  private:
   Result<Change> take_project(std::shared_ptr<const Project> next);
+  Status sums_fit(uint32_t planes, int width, int height) const;
   uint64_t submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch,
                         const gpu::DescriptorSet& set);
   void begin_replay(uint32_t touched, Change& change);

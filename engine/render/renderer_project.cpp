@@ -191,10 +191,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   key.four_taps = now.settings.tap == TexelTap::four;
   key.pixel_centres = now.settings.pixel_centres;
   const bool new_picture = key.planes() != key_.planes() || key.mirror != key_.mirror || !hits_;
-  if (new_picture)
-    VAMP_CHECK_STATUS(device_->fits_texel_view(
-        "sums of each light at this size of the picture",
-        uint64_t{2} * key.planes() * static_cast<uint64_t>(region_.width) * static_cast<uint64_t>(region_.height)));
+  if (new_picture) VAMP_CHECK_STATUS(sums_fit(key.planes(), region_.width, region_.height));
   // Kernels that are specialised for other ways of shading may round differently, so all pixels go through the same
   // one.
   KernelKey same_rays = key;

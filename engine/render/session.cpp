@@ -247,6 +247,14 @@ class RenderSession::Impl {
   void take_size(ivec2 size) {
     if (size == ivec2(renderer_.region().width, renderer_.region().height)) return;
     const bool first = renderer_.region().width == 0;
+    // Then the picture stays as large as it was.
+    const Status fits = renderer_.region_fits(size.x, size.y);
+    {
+      const std::lock_guard lock(mutex_);
+      if (!fits) status_.error = fits.error().message();
+      if (fits && !refused_) status_.error.clear();
+    }
+    if (!fits) return;
     renderer_.set_region(size.x, size.y, {0, 0, size.x, size.y});
     shown_.resize(size.x, size.y);
     restart(first ? "opened" : "window resized");

@@ -116,6 +116,20 @@ TEST_F(RenderTest, WithoutMemoryForEditsThePictureIsTheSame) {
   EXPECT_EQ(session.linear_picture(width, height, samples), render(project, 48, 40, 8).image.pixels);
 }
 
+TEST_F(RenderTest, AWindowTooLargeForTheDeviceKeepsThePictureAsItWas) {
+  Project project = box_under_a_light();
+  project.settings.max_samples = 2;
+  RenderSession session(*device, std::make_shared<const Project>(project), 32, 24);
+  ASSERT_TRUE(soon([&] { return session.status().finished; }));
+  session.resize(1 << 15, 1 << 15);
+  ASSERT_TRUE(soon([&] { return !session.status().error.empty(); }));
+  EXPECT_FALSE(session.status().lost);
+  EXPECT_EQ(session.status().width, 32);
+  session.resize(40, 30);
+  ASSERT_TRUE(soon([&] { return session.status().width == 40 && session.status().finished; }));
+  EXPECT_TRUE(session.status().error.empty());
+}
+
 TEST_F(RenderTest, WhatAnEditRestartedIsMarked) {
   Project project = box_under_a_light();
   put_material(project, "box", make_rich_material(5));
