@@ -135,10 +135,16 @@ bool Renderer::holds_weights_of(size_t material) const {
 
 std::optional<std::vector<double>> Renderer::steps_of_weights() {
   if (replaying()) return std::nullopt;
+  // A direction that the picture has been pulled along takes part: what was traced since then was pulled already.
+  size_t pulled = 0;
+  for (size_t k = 0; k < weights_->directions.size(); ++k)
+    if (weights_->directions[k].applied != 0) pulled = k + 1;
   // Tints only where they are needed.
-  for (const size_t count : {weights_->span.needed(), weights_->directions.size()}) {
+  for (const size_t count : {std::max(weights_->span.needed(), pulled), weights_->directions.size()}) {
     catch_up_weights(std::min(count, weights_->directions.size()));
-    const auto steps = weights_->span.steps_to(material_tables_, std::min(count, weights_->ready(samples_)));
+    const size_t ready = weights_->ready(samples_);
+    if (ready < pulled) break;
+    const auto steps = weights_->span.steps_to(material_tables_, std::min(count, ready));
     if (steps) return steps;
   }
   return std::nullopt;

@@ -175,6 +175,8 @@ TEST_F(WeightsTest, AnySequenceOfEditsAndSelectionsEndsInTheFreshPicture) {
   for (const auto& [history, mirror] : {std::pair(0u, 0.0f), {80u << 10, 0.0f}, {8u << 20, 0.0f}, {8u << 20, 0.5f}})
     for (uint32_t seed = 0; seed < 4; ++seed)
       run({.history = history, .mirror = mirror, .weights = true, .seed = 100 + seed});
+  // A tint is taken back while its sums are still being gathered for later samples.
+  run({.history = 8 << 20, .mirror = 0.5f, .weights = true, .seed = 1224});
   EXPECT_GT(recombined, 0u);
 }
 
