@@ -56,11 +56,8 @@ class Bench {
       // What is selected has had the time to be gathered.
       if (selected_) wait([&] { return session_.status().weights_at_hand; });
       edit(project_, round);
-      const auto next = std::make_shared<const Project>(project_);
       const Stopwatch watch;
-      const uint64_t version = session_.picture_version();
-      session_.set_project(next, what);
-      wait([&] { return session_.status().project == next && session_.picture_version() > version; });
+      show(what);
       first.add(watch.stop());
       wait([&] { return session_.status().finished; });
       back.add(watch.stop());
@@ -74,11 +71,8 @@ class Bench {
     Series first, back;
     for (int round = 0; round < rounds; ++round) {
       edit(project_, round);
-      const auto next = std::make_shared<const Project>(project_);
       const Stopwatch watch;
-      const uint64_t version = session_.picture_version();
-      session_.set_project(next, what);
-      wait([&] { return session_.status().project == next && session_.picture_version() > version; });
+      show(what);
       first.add(watch.stop());
       PixelLayer look, finished;
       session_.copy_picture(look);
@@ -112,6 +106,14 @@ class Bench {
       for (int shift = 0; shift < 24; shift += 8)
         sum += static_cast<double>(srgb_decode(static_cast<float>(pixel >> shift & 255u) / 255.0f));
     return sum / static_cast<double>(picture.pixels.size());
+  }
+
+  // Until a first picture of the project as it is now.
+  void show(const std::string& what) {
+    const auto next = std::make_shared<const Project>(project_);
+    const uint64_t version = session_.picture_version();
+    session_.set_project(next, what);
+    wait([&] { return session_.status().project == next && session_.picture_version() > version; });
   }
 
   template <class Done>

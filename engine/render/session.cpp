@@ -13,6 +13,7 @@
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
 #include "engine/render/goal.h"
+#include "engine/render/pick.h"
 #include "engine/render/renderer.h"
 #include "engine/render/shown_picture.h"
 
@@ -99,30 +100,6 @@ class RenderSession::Impl {
       next_group_ = group;
     }
     wake_.notify_all();
-  }
-
-  Pick pick(float x, float y) const {
-    const ShownPicture::Drawn drawn = shown_.drawn();
-    Pick found;
-    if (!drawn.project || drawn.width == 0) return found;
-    const Project* const project = drawn.project.get();
-    const float w = static_cast<float>(drawn.width), h = static_cast<float>(drawn.height);
-    const CameraFrame camera = camera_frame(project->camera, w / h);
-    const vec3 direction = camera_ray(camera, 2 * x / w - 1, 1 - 2 * y / h);
-    const std::optional<Hit> hit = vamp::pick(drawn.tables->bvh, camera.origin, direction);
-    if (!hit) return found;
-    const Scene& scene = *project->scene;
-    const uvec3 corners = scene.triangles[hit->triangle];
-    found.part = static_cast<int>(scene.triangle_part[hit->triangle]);
-    found.material = project->parts[static_cast<size_t>(found.part)].material;
-    found.uv =
-        (1 - hit->u - hit->v) * scene.uvs[corners.x] + hit->u * scene.uvs[corners.y] + hit->v * scene.uvs[corners.z];
-    found.position = camera.origin + hit->t * direction;
-    found.distance = hit->t;
-    const Spmm& fit = *project->materials[static_cast<size_t>(found.material)].fit;
-    const size_t texel = texel_at(drawn.rows[static_cast<size_t>(found.part)], found.uv);
-    found.cluster = static_cast<int>(fit.texels[texel].cluster_count & 255u);
-    return found;
   }
 
   std::vector<float> linear_picture(int& width, int& height, uint32_t& samples) const {
@@ -450,7 +427,7 @@ uint64_t RenderSession::picture_version() const { return impl_->shown().version(
 bool RenderSession::copy_picture(PixelLayer& layer) const { return impl_->shown().copy_picture(layer); }
 bool RenderSession::copy_ids(PixelLayer& layer) const { return impl_->shown().copy_ids(layer); }
 bool RenderSession::copy_restarted(PixelLayer& layer) const { return impl_->shown().copy_restarted(layer); }
-Pick RenderSession::pick(float x, float y) const { return impl_->pick(x, y); }
+Pick RenderSession::pick(float x, float y) const { return pick_in(impl_->shown().drawn(), x, y); }
 std::vector<float> RenderSession::linear_picture(int& width, int& height, uint32_t& samples) const {
   return impl_->linear_picture(width, height, samples);
 }

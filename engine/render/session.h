@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/project/project.h"
+#include "engine/render/pick.h"
 #include "engine/render/pixel_layer.h"
 #include "engine/render/weight_span.h"
 
@@ -35,15 +36,6 @@ struct RenderStatus {
   std::string device;
   std::string error;  // why there is no picture of the project
   bool lost = false;  // the device is gone: the session has stopped for good, the document is safe
-};
-
-struct Pick {
-  int part = -1;  // -1: background
-  int material = -1;
-  int cluster = -1;
-  vec2 uv{0, 0};
-  vec3 position{0, 0, 0};
-  float distance = 0;
 };
 
 class RenderSession {

@@ -11,7 +11,7 @@ bool ShownPicture::copy(const PixelLayer& from, PixelLayer& to) const {
   return true;
 }
 
-ShownPicture::Drawn ShownPicture::drawn() const {
+Drawn ShownPicture::drawn() const {
   const std::lock_guard lock(mutex_);
   Drawn drawn = drawn_;
   drawn.width = picture_.width;

@@ -13,6 +13,14 @@
 
 namespace vamp {
 
+// What a picture is of.
+struct Drawn {
+  std::shared_ptr<const Project> project;  // null: nothing yet
+  std::shared_ptr<const SceneTables> tables;
+  std::vector<frame::PartRow> rows;
+  int width = 0, height = 0;
+};
+
 class ShownPicture {
  public:
   // --- For readers. A layer is copied if it is newer than the one given.
@@ -21,13 +29,6 @@ class ShownPicture {
   bool copy_ids(PixelLayer& layer) const { return copy(ids_, layer); }
   bool copy_restarted(PixelLayer& layer) const { return copy(restarted_, layer); }
 
-  // What the picture is of, for those who pick in it.
-  struct Drawn {
-    std::shared_ptr<const Project> project;
-    std::shared_ptr<const SceneTables> tables;
-    std::vector<frame::PartRow> rows;
-    int width = 0, height = 0;
-  };
   Drawn drawn() const;
 
   // --- For the render thread.
