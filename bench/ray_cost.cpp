@@ -33,7 +33,7 @@ size_t otherwise(const EmbreeScene& embree, RayQuestion question, std::span<cons
 Result<std::unique_ptr<RayCost>> RayCost::make(gpu::Device& device, const Project& project, int side) {
   VAMP_TRY(GpuTree tree, GpuTree::make(device, *project.scene));
   std::unique_ptr<RayCost> cost(new RayCost(*project.scene, std::move(tree)));
-  ReadyRays drawn = draw_rays(cost->embree_, project, side, 2);
+  ReadyRays drawn = draw_rays(cost->embree_, project, side, SAMPLES_PER_HIT);
   const auto add = [&](const char* name, std::vector<ReadyRay> rays) {
     const RayQuestion question = question_of(name);
     RayKernel kernel(device, cost->tree_, question, rays);

@@ -10,7 +10,8 @@ namespace vamp {
 
 class RayCost {
  public:
-  // Shadow and ambient rays are two from each hit. The project needs a light. Errors: a scene too large for the device.
+  // Shadow and ambient rays are SAMPLES_PER_HIT from each hit, as in a batch. The project needs a light. Errors: a
+  // scene too large for the device.
   static Result<std::unique_ptr<RayCost>> make(gpu::Device& device, const Project& project, int side);
 
   void round();

@@ -45,7 +45,8 @@ Result<GpuTree> GpuTree::make(gpu::Device& device, const Scene& scene) {
 
 RayKernel::RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion question, std::span<const ReadyRay> rays)
     : device_(&device),
-      invocations_(static_cast<uint32_t>(question == RayQuestion::nearest ? rays.size() : rays.size() / 2)),
+      invocations_(
+          static_cast<uint32_t>(question == RayQuestion::nearest ? rays.size() : rays.size() / SAMPLES_PER_HIT)),
       rays_(device, "ready rays", rays.size(), gpu::Usage::uniform_texel),
       rays_view_(device, rays_, VK_FORMAT_R32G32B32A32_SFLOAT),
       found_(device, "found", rays.size()),
@@ -55,6 +56,7 @@ RayKernel::RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion quest
                          .push_bytes = sizeof(frame::TilePush),
                          .constants = {{SPEC_NEAREST, question == RayQuestion::nearest},
                                        {SPEC_STORAGE_FETCH, tree.storage_fetch},
+                                       {SPEC_SAMPLES, SAMPLES_PER_HIT},
                                        {SPEC_ALPHA_MASK, false}}}),
       set_(device, pipeline_,
            {{BINDING_PARAMS, tree.tables.params},
@@ -66,7 +68,7 @@ RayKernel::RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion quest
             {BINDING_TRIANGLES_STORAGE, tree.tables.triangles.rows},
             {BINDING_READY_RAYS, rays_view_},
             {BINDING_FOUND, found_}}) {
-  CHECK(question == RayQuestion::nearest || rays.size() % 2 == 0);
+  CHECK(question == RayQuestion::nearest || rays.size() % SAMPLES_PER_HIT == 0);
   device.upload_rows<ReadyRay>(rays_, 0, rays);
   run();  // compiles
 }

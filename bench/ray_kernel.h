@@ -18,7 +18,7 @@ struct GpuTree {
 
 class RayKernel {
  public:
-  // RayQuestion::any: an even number of rays, of which each two begin at one point. The tree must outlive this.
+  // RayQuestion::any: each SAMPLES_PER_HIT rays begin at one point. The tree must outlive this.
   RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion question, std::span<const ReadyRay> rays);
 
   Times run();

@@ -20,10 +20,13 @@ void main() {
     TriangleHit hit = nearest_hit(origin, texelFetch(rays, int(2u * i + 1u)).xyz, 0.0, HUGE);
     found[i] = hit.triangle < 0 ? -1.0 : hit.t;
   } else {
-    vec4 x = texelFetch(rays, int(4u * i));
-    vec4 y = texelFetch(rays, int(4u * i + 2u));
-    bvec2 free = unoccluded(x.xyz, texelFetch(rays, int(4u * i + 1u)).xyz, x.w, texelFetch(rays, int(4u * i + 3u)).xyz, y.w);
-    found[2u * i] = free.x ? 1.0 : -1.0;
-    found[2u * i + 1u] = free.y ? 1.0 : -1.0;
+    vec3 origin = texelFetch(rays, int(2u * SAMPLES * i)).xyz;
+    Bundle bundle;
+    for (uint k = 0u; k < SAMPLES; ++k) {
+      bundle.t_max[k] = texelFetch(rays, int(2u * (SAMPLES * i + k))).w;
+      bundle.direction[k] = texelFetch(rays, int(2u * (SAMPLES * i + k) + 1u)).xyz;
+    }
+    uint free = unoccluded(origin, bundle);
+    for (uint k = 0u; k < SAMPLES; ++k) found[SAMPLES * i + k] = (free >> k & 1u) != 0u ? 1.0 : -1.0;
   }
 }

@@ -1,5 +1,5 @@
 // Rays against the tree of triangles (shaders/shared/intersect.h): for the nearest hit with a stack, nearer child first; for
-// any hit along the list with skips, two rays at a time.
+// any hit along the list with skips, as bundles.
 
 uvec4 fetch_node(int i) { return STORAGE_FETCH ? nodes_storage[i] : floatBitsToUint(texelFetch(nodes_texels, i)); }
 uvec4 fetch_box(int i) { return STORAGE_FETCH ? boxes_storage[i] : floatBitsToUint(texelFetch(box_texels, i)); }
@@ -13,14 +13,23 @@ struct TriangleHit {
   float t, u, v;
 };
 
-// A triangle that the ray hits between t_min and t_max, as intersect_triangle() gives it; w: 0 where it does not.
-vec4 hit_triangle(int triangle, vec3 origin, vec3 direction, vec3 side, vec3 above, float t_min, float t_max) {
+struct Triangle {
+  vec3 v0, v1, v2;
+  int flags;
+};
+
+Triangle fetch_corners(int triangle) {
   vec4 v0 = fetch_triangle(3 * triangle);
   vec4 v1 = fetch_triangle(3 * triangle + 1);
   vec4 v2 = fetch_triangle(3 * triangle + 2);
-  vec4 r = intersect_triangle(origin, direction, side, above, v0.xyz, v1.xyz, v2.xyz, t_min, t_max);
+  return Triangle(v0.xyz, v1.xyz, v2.xyz, int(v1.w));
+}
+
+// Triangle i where the ray hits it between t_min and t_max, as intersect_triangle() gives it; w: 0 where it does not.
+vec4 hit_triangle(int i, Triangle triangle, vec3 origin, vec3 direction, vec3 side, vec3 above, float t_min, float t_max) {
+  vec4 r = intersect_triangle(origin, direction, side, above, triangle.v0, triangle.v1, triangle.v2, t_min, t_max);
   bool solid = r.w > 0.0;
-  if (ALPHA_MASK) solid = solid && ((int(v1.w) & TRIANGLE_ALPHA_MASK) == 0 || alpha_passes(triangle, r.y, r.z));
+  if (ALPHA_MASK) solid = solid && ((triangle.flags & TRIANGLE_ALPHA_MASK) == 0 || alpha_passes(i, r.y, r.z));
   return vec4(r.xyz, solid ? 1.0 : 0.0);
 }
 
@@ -56,7 +65,7 @@ TriangleHit nearest_hit(vec3 origin, vec3 direction, float t_min, float t_max) {
       int first = int(leaf >> 3);
       int last = first + int(leaf & 7u);
       for (int i = first; i <= last; ++i) {
-        vec4 r = hit_triangle(i, origin, direction, side, above, t_min, hit.t);
+        vec4 r = hit_triangle(i, fetch_corners(i), origin, direction, side, above, t_min, hit.t);
         if (r.w > 0.0) hit = TriangleHit(i, r.x, r.y, r.z);
       }
       node = stack[--top];
@@ -65,32 +74,44 @@ TriangleHit nearest_hit(vec3 origin, vec3 direction, float t_min, float t_max) {
   return hit;
 }
 
-// One of the rays that walk the list together. A subgroup waits at its slowest lane and, within a lane, for each fetch; so
-// a ray goes on until it stands before two leaves, and while one ray waits the other computes: 1.3 to 1.4 times as fast as a
-// single ray with a stack on lavapipe.
-struct Walker {
-  BoxRay ray;
-  int t_max;   // bits
-  int at;      // in the list
-  int a, b;    // the leaves before which it stands, 0: none, BVH_DONE: it has seen all
+// Shadow rays of one kind from one point, one for each sample: they meet nearly the same boxes and triangles, so that what is
+// fetched for one serves all. They walk as one as long as any of them goes on.
+struct Bundle {
+  vec3 direction[SAMPLES_PER_HIT];  // SAMPLES of them
+  float t_max[SAMPLES_PER_HIT];     // <= 0: not followed
 };
 
-// t_max <= 0: a ray that is not to be followed.
-Walker start_walk(vec3 origin, vec3 direction, float t_max) {
-  BoxRay ray = box_ray(origin, direction, params.grid_origin, params.grid_scale);
-  uvec4 everything = uvec4(BVH_WHOLE_GRID, BVH_WHOLE_GRID, BVH_WHOLE_GRID, 0u);
-  ivec2 span = box_span(everything, ray, 0, floatBitsToInt(t_max));
-  bool any = t_max > 0.0 && span.x <= span.y;
-  // The list's end must be hit, or the walk would not stop: by those that miss all, too.
-  if (!any) ray = box_ray_of_all();
-  return Walker(ray, any ? floatBitsToInt(t_max) : 0, any ? 0 : int(params.list_end), 0, 0);
+// A bundle on its way. A subgroup waits at its slowest lane and, within a lane, for each fetch; so a bundle goes on until it
+// stands before two leaves, and while one waits another computes.
+struct Walker {
+  BoxRay ray[SAMPLES_PER_HIT];
+  int t_max[SAMPLES_PER_HIT];  // bits; negative: not followed
+  int at;             // in the list
+  int a, b;           // the leaves before which it stands, 0: none, BVH_DONE: it has seen all
+};
+
+Walker start_walk(vec3 origin, Bundle bundle) {
+  Walker w;
+  w.at = int(params.list_end);
+  w.a = 0;
+  w.b = 0;
+  for (uint k = 0u; k < SAMPLES; ++k) {
+    w.ray[k] = box_ray(origin, bundle.direction[k], params.grid_origin, params.grid_scale);
+    bool followed = bundle.t_max[k] > 0.0;
+    w.t_max[k] = followed ? floatBitsToInt(bundle.t_max[k]) : BVH_DONE;
+    w.at = followed ? 0 : w.at;
+  }
+  return w;
 }
 
 void step_walk(inout Walker w) {
   uvec4 box = fetch_box(w.at);
-  ivec2 span = box_span(box, w.ray, 0, w.t_max);
-  bool hit = span.x <= span.y;
   int inside = int(box.w);
+  bool hit = inside == BVH_DONE;
+  for (uint k = 0u; k < SAMPLES; ++k) {
+    ivec2 span = box_span(box, w.ray[k], 0, w.t_max[k]);
+    hit = hit || span.x <= span.y;
+  }
   int leaf = hit ? min(inside, 0) : 0;
   w.b = w.b < 0 ? w.b : (w.a < 0 ? leaf : 0);
   w.a = w.a < 0 ? w.a : leaf;
@@ -98,10 +119,8 @@ void step_walk(inout Walker w) {
   w.at = w.b < 0 ? w.at : next;
 }
 
-// Tests the triangles of the leaves before which a walker stands and sends it on; returns whether the way is free of them.
-bool pass_leaves(inout Walker w, vec3 origin, vec3 direction, float t_max) {
-  vec3 side = ray_side(direction);
-  vec3 above = ray_above(direction);
+// Tests the triangles of the leaves before which a walker stands and sends it on; what is hit is no longer followed.
+void pass_leaves(inout Walker w, vec3 origin, Bundle bundle) {
   uint a = uint(~w.a);
   uint b = uint(~w.b);
   bool done = w.b == BVH_DONE;
@@ -111,39 +130,56 @@ bool pass_leaves(inout Walker w, vec3 origin, vec3 direction, float t_max) {
   int last_a = w.a == BVH_DONE ? -1 : i + int(a & 7u);
   int last = last_a;
   bool in_a = true;
-  bool free = true;
+  bool more = true;
   while (i <= last) {
-    vec4 r = hit_triangle(i, origin, direction, side, above, 0.0, t_max);
-    if (r.w > 0.0) free = false;
+    Triangle triangle = fetch_corners(i);
+    more = false;
+    for (uint k = 0u; k < SAMPLES; ++k) {
+      vec3 direction = bundle.direction[k];
+      vec4 r = hit_triangle(i, triangle, origin, direction, ray_side(direction), ray_above(direction), 0.0,
+                            intBitsToFloat(w.t_max[k]));
+      w.t_max[k] = r.w > 0.0 ? BVH_DONE : w.t_max[k];
+      more = more || w.t_max[k] >= 0;
+    }
     bool over = in_a && i == last_a;
     i = over ? first_b : i + 1;
     last = over ? last_b : last;
-    last = free ? last : -1;
+    last = more ? last : -1;
     in_a = in_a && !over;
   }
-  w.at = done || !free ? int(params.list_end) : w.at + 1;
-  w.b = done || !free ? BVH_DONE : 0;
+  w.at = done || !more ? int(params.list_end) : w.at + 1;
+  w.b = done || !more ? BVH_DONE : 0;
   w.a = 0;
-  return free;
 }
 
-// For two rays from one point: true where nothing lies between it and t_max. t_max <= 0: not looked, true.
-bvec2 unoccluded(vec3 origin, vec3 direction_x, float t_max_x, vec3 direction_y, float t_max_y) {
-  Walker x = start_walk(origin, direction_x, t_max_x);
-  Walker y = start_walk(origin, direction_y, t_max_y);
-  bvec2 free = bvec2(true);
-  bool more = true;
-  while (more) {
-    x.b = 0;
-    y.b = 0;
+// A bit for each of the bundle's rays that was followed to its end: nothing lies in its way. lavapipe ends loops silently
+// after 65,535 turns in a kernel: a walk that was cut short has not seen that the way is free.
+uint free_rays(Walker w) {
+  uint bits = 0u;
+  for (uint k = 0u; k < SAMPLES; ++k) bits |= w.b == BVH_DONE && w.t_max[k] >= 0 ? 1u << k : 0u;
+  return bits;
+}
+
+uint unoccluded(vec3 origin, Bundle bundle) {
+  Walker w = start_walk(origin, bundle);
+  while (w.b >= 0) {
+    while (w.b >= 0) step_walk(w);
+    pass_leaves(w, origin, bundle);
+  }
+  return free_rays(w);
+}
+
+// Two bundles at once.
+uvec2 unoccluded(vec3 origin, Bundle bundle_x, Bundle bundle_y) {
+  Walker x = start_walk(origin, bundle_x);
+  Walker y = start_walk(origin, bundle_y);
+  while ((x.b & y.b) >= 0) {
     while ((x.b & y.b) >= 0) {
       step_walk(x);
       step_walk(y);
     }
-    if (!pass_leaves(x, origin, direction_x, t_max_x)) free.x = false;
-    if (!pass_leaves(y, origin, direction_y, t_max_y)) free.y = false;
-    more = (x.b & y.b) >= 0;
+    pass_leaves(x, origin, bundle_x);
+    pass_leaves(y, origin, bundle_y);
   }
-  // lavapipe ends loops silently after 65,535 turns in a kernel: a walk that was cut short has not seen that the way is free.
-  return bvec2(free.x && x.b == BVH_DONE, free.y && y.b == BVH_DONE);
+  return uvec2(free_rays(x), free_rays(y));
 }

@@ -23,15 +23,14 @@ void main() {
   SurfacePoint point = surface_point(ray, max(triangle, 0));
   vec3 origin = leave_surface(point);
   vec4 sum = tile.sample_base > 0u ? imageLoad(aov, int(2u * region_pixels() + index)) : vec4(0.0);
-  for (uint k = 0u; k < SAMPLES; k += 2u) {
-    vec3 x = occlusion_direction(point, seed, k);
-    vec3 y = occlusion_direction(point, seed, k + 1u);
+  Bundle bundle;
+  for (uint k = 0u; k < SAMPLES; ++k) {
+    bundle.direction[k] = occlusion_direction(point, seed, k);
     // Directions under the face but above the shading normal's horizon are no directions of the surface: not counted.
-    bvec2 above = bvec2(dot(x, point.face) > 0.0, k + 1u < SAMPLES && dot(y, point.face) > 0.0);
-    above = bvec2(above.x && triangle >= 0, above.y && triangle >= 0);
-    bvec2 free = unoccluded(origin, x, above.x ? params.ao_radius : -1.0, y, above.y ? params.ao_radius : -1.0);
-    sum.x += (above.x && free.x ? 1.0 : 0.0) + (above.y && free.y ? 1.0 : 0.0);
-    sum.y += (above.x ? 1.0 : 0.0) + (above.y ? 1.0 : 0.0);
+    bool above = triangle >= 0 && dot(bundle.direction[k], point.face) > 0.0;
+    bundle.t_max[k] = above ? params.ao_radius : -1.0;
+    sum.y += above ? 1.0 : 0.0;
   }
+  sum.x += float(bitCount(unoccluded(origin, bundle)));
   imageStore(aov, int(2u * region_pixels() + index), sum);
 }

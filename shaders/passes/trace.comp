@@ -8,7 +8,17 @@
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/mirror.glsl"
 
-const uint RAYS = SAMPLES * RAY_COUNT;
+// Measured on lavapipe: single rays walk fastest two kinds at a time, since while one waits for its box the other computes;
+// bundles have enough to compute of their own.
+void trace_bundles(vec3 origin, Bundle bundles[RAY_COUNT], out uint free[RAY_COUNT]) {
+  uint alone = SAMPLES == 1u ? RAY_COUNT & ~1u : 0u;
+  for (uint kind = 0u; kind < alone; kind += 2u) {
+    uvec2 pair = unoccluded(origin, bundles[kind], bundles[kind + 1u]);
+    free[kind] = pair.x;
+    free[kind + 1u] = pair.y;
+  }
+  for (uint kind = alone; kind < RAY_COUNT; ++kind) free[kind] = unoccluded(origin, bundles[kind]);
+}
 
 void main() {
   uvec2 pixel;
@@ -30,10 +40,7 @@ void main() {
     bool hit = triangle >= 0;
     SurfacePoint point = surface_point(ray, max(triangle, 0));
     vec3 origin = leave_surface(point);
-    // Direction, distance (<= 0: carries nothing); one more, for pairs. Rays of a kind stand together: two of them end
-    // their walk sooner than two of different kinds.
-    vec4 rays[RAYS + 1u];
-    rays[RAYS] = vec4(0.0, 0.0, 1.0, -1.0);
+    Bundle bundles[RAY_COUNT];
     float ends[LIGHT_ENDS];
     if (LIGHT_SLOTS > 0u) light_ends(point, ends);
     for (uint k = 0u; k < SAMPLES; ++k) {
@@ -44,24 +51,21 @@ void main() {
       // The end stays clear of the emitter's own surroundings by the same margin as the start.
       for (uint kind = 0u; kind < RAY_COUNT; ++kind) {
         LightSample s = drawn[kind];
-        rays[kind * SAMPLES + k] = vec4(s.direction, hit && s.factor > 0.0 ? s.distance * 0.9999 : -1.0);
+        bundles[kind].direction[k] = s.direction;
+        bundles[kind].t_max[k] = hit && s.factor > 0.0 ? s.distance * 0.9999 : -1.0;
       }
     }
     // A hit's samples may come one by one: what the others left stays.
     uint words[VISIBILITY_WORDS];
     for (uint w = 0u; w < VISIBILITY_WORDS; ++w)
       words[w] = NEW_HIT ? 0u : imageLoad(visibility, visibility_place(vertex, w, index)).x;
-    for (uint r = 0u; r < RAYS; r += 2u) {
-      vec4 x = rays[r];
-      vec4 y = rays[r + 1u];
-      bvec2 free = unoccluded(origin, x.xyz, x.w, y.xyz, y.w);
-      uint bit_x = visibility_bit(r % SAMPLES, r / SAMPLES);
-      uint bit_y = visibility_bit((r + 1u) % SAMPLES, (r + 1u) / SAMPLES);
-      for (uint w = 0u; w < VISIBILITY_WORDS; ++w) {
-        words[w] |= free.x && x.w > 0.0 && bit_x >> 5 == w ? 1u << (bit_x & 31u) : 0u;
-        words[w] |= free.y && y.w > 0.0 && bit_y >> 5 == w ? 1u << (bit_y & 31u) : 0u;
+    uint free[RAY_COUNT];
+    trace_bundles(origin, bundles, free);
+    for (uint kind = 0u; kind < RAY_COUNT; ++kind)
+      for (uint k = 0u; k < SAMPLES; ++k) {
+        uint bit = visibility_bit(k, kind);
+        for (uint w = 0u; w < VISIBILITY_WORDS; ++w) words[w] |= bit >> 5 == w ? (free[kind] >> k & 1u) << (bit & 31u) : 0u;
       }
-    }
     for (uint w = 0u; w < VISIBILITY_WORDS; ++w)
       imageStore(visibility, visibility_place(vertex, w, index), uvec4(words[w]));
     if (MIRROR && vertex == 0u) {

@@ -40,7 +40,6 @@ using glm::vec4;
 #define BVH_STACK_SIZE 40
 #define BVH_DONE (-0x7fffffff)
 #define BVH_LIST_ENDS 2
-#define BVH_WHOLE_GRID 0x7fff0000u  // a word of the box from 0 to 65535
 // Flags in the w of vertex 1 (a float that holds a small integer).
 #define TRIANGLE_ALPHA_MASK 1
 #define TRIANGLE_DOUBLE_SIDED 2
@@ -70,16 +69,6 @@ VAMP_INTERSECT_FN BoxRay box_ray(vec3 origin, vec3 direction, vec3 grid_origin, 
   ray.offset = (grid_origin - origin) * inverse;
   ray.high_factor = ray.factor * (1.0f / 65536.0f);
   ray.high_offset = ray.offset + ray.factor * 32768.0f;
-  return ray;
-}
-
-// The ray that hits every box, for those who have nothing to look for.
-VAMP_INTERSECT_FN BoxRay box_ray_of_all() {
-  BoxRay ray;
-  ray.factor = vec3(0.0f);
-  ray.offset = vec3(0.0f);
-  ray.high_factor = vec3(0.0f);
-  ray.high_offset = vec3(0.0f);
   return ray;
 }
 
