@@ -14,6 +14,9 @@ constexpr uint32_t kAovLayers = 3;
 // With more shadow rays a batch of four would spill the kernels' registers, and walk more than lavapipe lets a kernel.
 constexpr uint32_t kMaxRaysOfBatch = 16;
 
+// Pixels of which four samples each take longer than an edit should: some 20 ms on two cores of lavapipe.
+constexpr uint32_t kLongList = 1u << 15;
+
 std::vector<Region> tiles_from_the_middle(int width, int height) {
   std::vector<Region> tiles;
   for (int y = 0; y < height; y += TILE_SIDE)
@@ -192,7 +195,9 @@ uint64_t Renderer::replay(uint32_t most) {
   CHECK(replaying() && most > 0);
   const Replay::Step step = replay_.step();
   const uint32_t done = replay_.done();
-  const bool whole_hit = done % SAMPLES_PER_HIT == 0 && step.limit - done >= SAMPLES_PER_HIT && batches_fit();
+  // Of a long list the first hit's samples come one by one, too: that picture is there in half the time.
+  const bool soon = done == 0 && step.pixels > kLongList;
+  const bool whole_hit = !soon && done % SAMPLES_PER_HIT == 0 && step.limit - done >= SAMPLES_PER_HIT && batches_fit();
   const uint32_t batch = whole_hit ? SAMPLES_PER_HIT : 1;
   frame::TilePush push{};
   push.x = replay_at_;
