@@ -62,7 +62,7 @@ struct SingleViewFit {
     });
     std::vector<Basis> candidates = {{"", default_lobe(Model::lambert), {0, 0, 1}, 0}};
     for (const auto& each : lobes) candidates.insert(candidates.end(), each.begin(), each.end());
-    candidates = fit::without_repeats(candidates, exemplars, kNoGuard);
+    candidates = fit::without_repeats(candidates, exemplars, kNoGuard, worker);
     dictionary = fit::choose_dictionary(candidates, exemplars,
                                         {.bases = kBases, .functions = functions, .guard = kNoGuard}, worker);
     design = fit::make_design(dictionary, measurement);

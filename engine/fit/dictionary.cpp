@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -129,24 +130,46 @@ bool explodes(const Basis& basis, const Pairs& pairs, double guard) {
   return mean_square(basis, dense) > guard * guard * mean_square(basis, pairs);
 }
 
-std::vector<Basis> without_repeats(const std::vector<Basis>& bases, const Exemplars& exemplars, double guard) {
+std::vector<Basis> without_repeats(const std::vector<Basis>& bases, const Exemplars& exemplars, double guard,
+                                   const Worker& worker) {
+  // Candidates come in groups, each of which is multiplied with what was kept before it and with itself.
+  constexpr size_t kGroup = 64, kStrip = 4;
+  const Worker inside{worker.threads, nullptr};
+  worker.stage("Telling the functions apart");
   std::vector<Basis> kept;
   Rows columns(bases.size(), exemplars.pairs->count());
-  std::vector<double> lengths, products;
-  for (const Basis& basis : bases) {
-    if (explodes(basis, *exemplars.pairs, guard)) continue;
-    const size_t n = kept.size();
-    float* row = columns.row(n);
-    evaluate_column(basis, *exemplars.pairs, exemplars.roots->data(), row);
-    products.resize(n + 1);
-    dot_rows(row, 1, columns.row(0), n + 1, columns.length, products.data());
-    const double length = std::sqrt(products[n]);
-    if (!(length > 0)) continue;
-    bool repeats = false;
-    for (size_t j = 0; j < n && !repeats; ++j) repeats = products[j] > 0.9995 * length * lengths[j];
-    if (repeats) continue;
-    kept.push_back(basis);
-    lengths.push_back(length);
+  std::vector<double> lengths;
+  for (size_t first = 0; first < bases.size() && !worker.cancelled(); first += kGroup) {
+    const size_t count = std::min(kGroup, bases.size() - first), before = kept.size(), known = before + count;
+    std::array<bool, kGroup> good{};
+    worker.done(static_cast<int>(first), static_cast<int>(bases.size()));
+    inside.each(count, [&](size_t i) {
+      const Basis& basis = bases[first + i];
+      good[i] = !explodes(basis, *exemplars.pairs, guard);
+      evaluate_column(basis, *exemplars.pairs, exemplars.roots->data(), columns.row(before + i));
+    });
+    std::vector<double> products(count * known);
+    inside.each((count + kStrip - 1) / kStrip, [&](size_t strip) {
+      const size_t row = strip * kStrip;
+      dot_rows(columns.row(before + row), std::min(kStrip, count - row), columns.row(0), known, columns.length,
+               products.data() + row * known);
+    });
+    std::vector<size_t> chosen;  // of the group
+    for (size_t i = 0; i < count; ++i) {
+      const double* product = products.data() + i * known;
+      const double length = std::sqrt(product[before + i]);
+      if (!good[i] || !(length > 0)) continue;
+      const auto repeats = [&](size_t at, double other) { return product[at] > 0.9995 * length * other; };
+      bool again = false;
+      for (size_t j = 0; j < before && !again; ++j) again = repeats(j, lengths[j]);
+      for (size_t k = 0; k < chosen.size() && !again; ++k) again = repeats(before + chosen[k], lengths[before + k]);
+      if (again) continue;
+      chosen.push_back(i);
+      kept.push_back(bases[first + i]);
+      lengths.push_back(length);
+    }
+    for (size_t k = 0; k < chosen.size(); ++k)
+      if (chosen[k] != k) std::copy_n(columns.row(before + chosen[k]), columns.length, columns.row(before + k));
   }
   return kept;
 }

@@ -28,7 +28,8 @@ struct Exemplars {
 bool explodes(const Basis& basis, const Pairs& pairs, double guard);
 
 // Without those that explode or, to a correlation of 0.9995, repeat another.
-std::vector<Basis> without_repeats(const std::vector<Basis>& bases, const Exemplars& exemplars, double guard);
+std::vector<Basis> without_repeats(const std::vector<Basis>& bases, const Exemplars& exemplars, double guard,
+                                   const Worker& worker);
 
 // The `options.bases` that together serve the exemplars best: greedy, all exemplars at once, then rounds of sparse
 // coding and joint refinement.

@@ -118,7 +118,7 @@ Dictionary make_dictionary(const std::vector<std::vector<Basis>>& lobes,
     for (size_t i = 0; i < judges.size(); ++i)
       if (inside(judges[i])) rows.push_back(i);
     const Exemplars part = part_of(exemplars, rows);
-    candidates = without_repeats(candidates, part, choice.guard);
+    candidates = without_repeats(candidates, part, choice.guard, worker);
     report.candidates += static_cast<int>(candidates.size());
     std::vector<Basis> chosen = choose_dictionary(candidates, part, choice, worker);
     std::vector<int> places(chosen.size());
