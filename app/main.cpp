@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   add_acquire(app, common, action);
   add_fit(app, common, action);
   add_evaluate(app, common, action);
+  add_recolour(app, common, action);
   add_brdf(app, common, action);
   add_bench(app, common, action);
   add_help(app, action);

@@ -19,32 +19,6 @@ EditLayer for_every_row(const Spmm& spmm, Make make) {
 
 bool shines(const Basis& basis) { return basis.lobe.model != Model::lambert && basis.lobe.model != Model::oren_nayar; }
 
-// The amounts of three or fewer colours that come nearest to `colour`, none negative: the best of the solutions over
-// all subsets.
-std::vector<double> unmixed(const dvec3& colour, const std::vector<dvec3>& parts) {
-  std::vector<double> best(parts.size(), 0);
-  double least = dot(colour, colour);
-  for (unsigned subset = 1; subset < 1u << parts.size(); ++subset) {
-    // Gauss-Seidel on the normal equations of so few unknowns ends at once.
-    std::vector<double> amounts(parts.size(), 0);
-    for (int round = 0; round < 500; ++round)
-      for (size_t i = 0; i < parts.size(); ++i) {
-        if ((subset >> i & 1u) == 0) continue;
-        dvec3 left = colour;
-        for (size_t k = 0; k < parts.size(); ++k)
-          if (k != i) left -= amounts[k] * parts[k];
-        amounts[i] = std::max(dot(left, parts[i]) / dot(parts[i], parts[i]), 0.0);
-      }
-    dvec3 left = colour;
-    for (size_t k = 0; k < parts.size(); ++k) left -= amounts[k] * parts[k];
-    if (dot(left, left) < least * (1 - 1e-9)) {
-      least = dot(left, left);
-      best = amounts;
-    }
-  }
-  return best;
-}
-
 // Of a highlight about the half vector, as Cook-Torrance's m; 0 for other functions.
 float width_of(const Lobe& lobe) {
   const auto& p = lobe.params;
@@ -79,22 +53,13 @@ Lobe widened(Lobe lobe, float factor) {
 
 }  // namespace
 
-EditLayer recoloured(const Spmm& spmm, vec3 from, vec3 to, const std::vector<vec3>& staying) {
-  const FitSums sums = fit_sums(spmm);
-  std::vector<dvec3> parts = {dvec3(from)};
-  for (const vec3& colour : staying) parts.emplace_back(colour);
+EditLayer recoloured(const Spmm& spmm, const PigmentChange& change) {
+  const std::vector<dvec3> before = fit_sums(spmm).weights, after = changed_colours(before, change);
   return for_every_row(spmm, [&](BasisKey key) {
     BasisEdit edit;
-    const dvec3 weight =
-        sums.weights[static_cast<size_t>(key.cluster) * spmm.dictionary.size() + static_cast<size_t>(key.basis)];
-    const std::vector<double> amounts = unmixed(weight, parts);
-    dvec3 before(0), after(0);
-    for (size_t i = 0; i < parts.size(); ++i) {
-      before += amounts[i] * parts[i];
-      after += amounts[i] * (i == 0 ? dvec3(to) : parts[i]);
-    }
+    const size_t row = static_cast<size_t>(key.cluster) * spmm.dictionary.size() + static_cast<size_t>(key.basis);
     for (int c = 0; c < 3; ++c)
-      if (before[c] > 0) edit.gain[c] = static_cast<float>(after[c] / before[c]);
+      if (before[row][c] > 0) edit.gain[c] = static_cast<float>(after[row][c] / before[row][c]);
     return edit;
   });
 }
@@ -149,52 +114,50 @@ std::vector<Change> changes() {
     settings.insert(settings.end(), more.begin(), more.end());
     return settings;
   };
+  const auto dyed = [](std::string name, std::string edit, std::string meso, MesoSettings before, MesoSettings after,
+                       const PigmentChange& pigment) {
+    return Change{std::move(name),  std::move(edit),
+                  std::move(meso),  std::move(before),
+                  std::move(after), [pigment](const Spmm& s) { return recoloured(s, pigment); },
+                  pigment};
+  };
   return {
-      {"calf: brown becomes navy",
-       "leather colour for another; the finish stays white",
-       "calf",
-       {},
-       {{"colour", navy}, {"crease_colour", navy_crease}},
-       [=](const Spmm& s) { return recoloured(s, leather, navy, {white}); }},
-      {"twill: the warp yarns become green", "yarn colour for another; the weft's stays", "twill", cloth,
-       with(cloth, {{"warp", green}}),
-       [=](const Spmm& s) {
-         return recoloured(s, red, green, {sand, white});
-       }},
-      {"calf: finish taken off",
-       "the white in all weights to black",
-       "calf",
-       {},
-       {{"coat", 0.f}},
-       [=](const Spmm& s) {
-         return recoloured(s, white, vec3(0), {leather, leather_crease});
-       }},
+      dyed("calf: brown becomes navy", "leather colour for another; the finish stays white", "calf", {},
+           {{"colour", navy}, {"crease_colour", navy_crease}}, {leather, navy, {white}}),
+      dyed("twill: the warp yarns become green", "yarn colour for another; the weft's stays", "twill", cloth,
+           with(cloth, {{"warp", green}}), {red, green, {sand, white}}),
+      dyed("calf: finish taken off", "the white in all weights to black", "calf", {}, {{"coat", 0.f}},
+           {white, vec3(0), {leather, leather_crease}}),
       {"calf: finish rougher, 0.25 to 0.4",
        "widths of all functions that shine times 1.6",
        "calf",
        {},
        {{"roughness", 0.4f}},
-       [](const Spmm& s) { return with_roughness(s, 1.6f); }},
+       [](const Spmm& s) { return with_roughness(s, 1.6f); },
+       {}},
       {"crocodile: glaze halved",
        "gain 0.5 of all functions that shine",
        "crocodile",
        {},
        {{"coat", 0.5f}},
-       [](const Spmm& s) { return with_gloss(s, 0.5f); }},
+       [](const Spmm& s) { return with_gloss(s, 0.5f); },
+       {}},
       {"calf: relief halved",
        "slopes of all normals times 0.5",
        "calf",
        {},
        {{"relief", 0.5f}},
-       [](const Spmm& s) { return with_relief(s, 0.5f); }},
-      {"twill: relief halved", "slopes of all normals times 0.5", "twill", cloth, with(cloth, {{"relief", 0.5f}}),
-       [](const Spmm& s) { return with_relief(s, 0.5f); }},
-      {"knit: dyed darker",
-       "all gains times 0.4",
-       "knit",
-       {},
-       {{"colour", 0.4f * wool}, {"second", 0.4f * wool_second}},
-       [=](const Spmm& s) { return recoloured(s, wool, 0.4f * wool, {white}); }},
+       [](const Spmm& s) { return with_relief(s, 0.5f); },
+       {}},
+      {"twill: relief halved",
+       "slopes of all normals times 0.5",
+       "twill",
+       cloth,
+       with(cloth, {{"relief", 0.5f}}),
+       [](const Spmm& s) { return with_relief(s, 0.5f); },
+       {}},
+      dyed("knit: dyed darker", "yarn colour times 0.4", "knit", {},
+           {{"colour", 0.4f * wool}, {"second", 0.4f * wool_second}}, {wool, 0.4f * wool, {white}}),
   };
 }
 

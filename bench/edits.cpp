@@ -159,8 +159,8 @@ Result<Report> bench_edits(const EditsBench& bench, Progress& progress) {
                             "relative RMSE in % against an acquisition of the changed material that no fit has seen, "
                             "the noise of its paths included.",
                             bench.size, bench.size, bench.samples, bench.clusters));
-  report.table({"what changes", "no edit", "functions, edited", "residual kept", "residual follows", "fresh fit",
-                "times fresh", "noise", "times fresh, noise taken off"});
+  report.table({"what changes", "no edit", "gains alone", "functions, edited", "residual kept", "residual follows",
+                "fresh fit", "times fresh", "noise", "times fresh, noise taken off"});
   std::map<std::string, SpmmPtr> fits;  // of the materials as they were, by what they were made of
   int within = 0, of = 0;
   report.data()["edits"] = Json::array();
@@ -174,25 +174,27 @@ Result<Report> bench_edits(const EditsBench& bench, Progress& progress) {
     }
     VAMP_TRY(const SpmmPtr fresh, fit_of(after, bench, progress));
     if (progress.cancelled()) return JobQueue::cancelled_error();
-    const EditLayer edits = change.make(*fitted);
-    const std::vector<Candidate> candidates = {{fitted.get(), {}},
-                                               {fitted.get(), edits, false},
-                                               {fitted.get(), keeping(edits)},
-                                               {fitted.get(), edits},
-                                               {fresh.get(), {}}};
+    const EditLayer sliders = change.make(*fitted), edits = change.pigment ? EditLayer() : sliders;
+    const Spmm edited = change.pigment ? with_pigment(*fitted, *change.pigment) : *fitted;
+    Spmm kept = edited;
+    kept.residual = fitted->residual;
+    const std::vector<Candidate> candidates = {{fitted.get(), {}}, {&edited, edits, false}, {&kept, keeping(edits)},
+                                               {&edited, edits},   {fresh.get(), {}},       {fitted.get(), sliders}};
     VAMP_TRY(const std::vector<double> errors, errors_of(candidates, truth, progress));
     if (progress.cancelled()) return JobQueue::cancelled_error();
     const double ratio = errors[3] / errors[4], noise = noise_of(after, truth);
     // Neither has seen the truth's noise, so that it adds to both as squares do.
     const double clean = std::sqrt((errors[3] * errors[3] - noise * noise) / (errors[4] * errors[4] - noise * noise));
-    report.row({change.name, percent(errors[0]), percent(errors[1]), percent(errors[2]), percent(errors[3]),
-                percent(errors[4]), fmt::format("{:.2f}", ratio), percent(noise), fmt::format("{:.2f}", clean)});
+    report.row({change.name, percent(errors[0]), change.pigment ? percent(errors[5]) : "-", percent(errors[1]),
+                percent(errors[2]), percent(errors[3]), percent(errors[4]), fmt::format("{:.2f}", ratio),
+                percent(noise), fmt::format("{:.2f}", clean)});
     ++of;
     if (ratio <= 1.5 && errors[3] < errors[2]) ++within;
     const auto number = [](double value) { return json_number(static_cast<float>(value)); };
     report.data()["edits"].push_back({{"change", change.name},
                                       {"edit", change.edit},
                                       {"unedited", number(errors[0])},
+                                      {"gains_alone", number(errors[5])},
                                       {"functions", number(errors[1])},
                                       {"residual_kept", number(errors[2])},
                                       {"residual_follows", number(errors[3])},

@@ -38,6 +38,7 @@ void add_convert(CLI::App& app, CommonOptions& common, Action& action);
 void add_acquire(CLI::App& app, CommonOptions& common, Action& action);
 void add_fit(CLI::App& app, CommonOptions& common, Action& action);
 void add_evaluate(CLI::App& app, CommonOptions& common, Action& action);
+void add_recolour(CLI::App& app, CommonOptions& common, Action& action);
 void add_help(CLI::App& app, Action& action);
 
 // The editor on a model or project; on the shipped scene where `file` is empty. Also what happens without a verb.

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "engine/material/preset.h"
+#include "engine/material/reflectance.h"
 #include "tests/app/program.h"
 
 namespace vamp::test {
@@ -50,6 +51,28 @@ TEST_F(FitProgram, AMeasurementBecomesAPresetAndIsJudged) {
   EXPECT_EQ(rows[0]["name"], "functions");
   EXPECT_EQ(rows.back()["name"], "srf");
   for (const Json& row : rows) EXPECT_LT(row["relative_rmse"].get<double>(), 1.0) << row["name"];
+}
+
+TEST_F(FitProgram, APresetIsRecolouredIntoAnother) {
+  acquire("calf.btf");
+  ASSERT_EQ(run({"fit", "calf.btf", "-o", "calf.vamp", "--clusters", "2", "--representatives", "2"}).code, 0);
+  const Ended ended = run({"recolour", "calf.vamp", "--from", "0.33,0.128,0.044", "--to", "0.045,0.08,0.26", "-o",
+                           "navy.vamp", "--name", "Navy", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.json()["name"], "Navy");
+  const Preset brown = load_preset(folder / "calf.vamp").value(), navy = load_preset(folder / "navy.vamp").value();
+  EXPECT_THAT(navy.provenance, HasSubstr("Recoloured"));
+  EXPECT_NE(navy.thumbnail_png, brown.thumbnail_png);
+  const auto light = [](const Preset& preset) {
+    dvec3 sum(0);
+    for (const dvec3& weight : fit_sums(*preset.fit).weights) sum += weight;
+    return sum;
+  };
+  EXPECT_GT(light(brown).x, light(brown).z);
+  EXPECT_LT(light(navy).x, light(navy).z);
+  expect({"recolour", "calf.vamp", "--from", "black", "--to", "white", "-o", "x.vamp"}, 2, "--from");
+  expect({"recolour", "calf.vamp", "--from", "brown", "--to", "white", "-o", "x.vamp"}, 2, "--from");
+  expect({"recolour", "none.vamp", "--from", "white", "--to", "black", "-o", "x.vamp"}, 3, "none.vamp");
 }
 
 TEST_F(FitProgram, TheLightKindSaysWhatStoringItCosts) {

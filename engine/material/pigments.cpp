@@ -1,0 +1,146 @@
+#include "engine/material/pigments.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "engine/core/half.h"
+#include "engine/material/residual_follow.h"
+
+namespace vamp {
+namespace {
+
+// How much a cluster's map of colours is drawn to that of all clusters, and both to a mere factor, where weights of few
+// colours leave it open: shares of the sums of squares.
+constexpr double kToAll = 1e-2, kToFactor = 1e-4;
+
+// Colours as non-negative mixtures of others. With non-negative amounts, some three colours or fewer are always as near
+// as all (Caratheodory), and those are solved in advance: each set is a matrix.
+class Mixtures {
+ public:
+  explicit Mixtures(const PigmentChange& change) {
+    std::vector<dvec3> colours = {dvec3(change.from)};
+    for (const vec3 colour : change.staying) colours.emplace_back(colour);
+    const size_t n = colours.size();
+    for (size_t i = 0; i < n; ++i) {
+      add(colours, {i}, dvec3(change.to));
+      for (size_t j = i + 1; j < n; ++j) {
+        add(colours, {i, j}, dvec3(change.to));
+        for (size_t k = j + 1; k < n; ++k) add(colours, {i, j, k}, dvec3(change.to));
+      }
+    }
+  }
+
+  // What becomes of a colour.
+  dvec3 changed(const dvec3& colour) const {
+    double least = dot(colour, colour);
+    dvec3 moved(0);
+    for (const Set& set : sets_) {
+      const dvec3 amounts = set.amounts * colour;
+      if (amounts.x < 0 || amounts.y < 0 || amounts.z < 0) continue;
+      const dvec3 left = colour - set.colours * amounts;
+      if (!(dot(left, left) < least)) continue;
+      least = dot(left, left);
+      moved = set.moves * amounts.x;
+    }
+    return moved == dvec3(0) ? colour : clamp(colour + moved, dvec3(0), dvec3(double{kHalfMax}));
+  }
+
+ private:
+  struct Set {
+    glm::dmat3 amounts{0}, colours{0};  // least squares, and what it mixes; the first amount is that of `from`
+    dvec3 moves{0};                     // what one of `from` adds: to - from
+  };
+
+  void add(const std::vector<dvec3>& colours, const std::vector<size_t>& places, const dvec3& to) {
+    Set set;
+    // `from` is colour 0 and always first; a set without it has no amount there.
+    const bool moves = places.front() == 0;
+    for (size_t i = 0; i < places.size(); ++i) set.colours[static_cast<int>(i)] = colours[places[i]];
+    glm::dmat3 gram = transpose(set.colours) * set.colours;
+    for (int i = static_cast<int>(places.size()); i < 3; ++i) gram[i][i] = 1;
+    double scale = 1;
+    for (int i = 0; i < 3; ++i) scale *= gram[i][i];
+    if (!(determinant(gram) > 1e-9 * scale)) return;  // one is a mixture of the others
+    set.amounts = inverse(gram) * transpose(set.colours);
+    if (moves) set.moves = to - colours[0];
+    sets_.push_back(set);
+  }
+
+  std::vector<Set> sets_;
+};
+
+// The linear map that comes nearest to what became of colours.
+struct ColourMap {
+  glm::dmat3 squares{0}, products{0};  // of colours with themselves; of what they became with them
+
+  void add(const dvec3& before, const dvec3& after, double weight) {
+    squares += weight * outerProduct(before, before);
+    products += weight * outerProduct(after, before);
+  }
+  double size() const { return squares[0][0] + squares[1][1] + squares[2][2]; }
+
+  glm::dmat3 solved(const ColourMap& all) const {
+    if (!(all.size() > 0)) return glm::dmat3(1);
+    const double share = size() > 0 ? kToAll * size() / all.size() : 1;
+    const glm::dmat3 a = squares + share * all.squares, b = products + share * all.products;
+    const double trace = a[0][0] + a[1][1] + a[2][2], factor = (b[0][0] + b[1][1] + b[2][2]) / trace;
+    return (b + glm::dmat3(kToFactor * trace * factor)) * inverse(a + glm::dmat3(kToFactor * trace));
+  }
+};
+
+double half(uint32_t bits) { return double{float_from_half(static_cast<uint16_t>(bits & 0xffffu))}; }
+uint32_t bits_of(double value) { return half_from_float(std::clamp(static_cast<float>(value), -kHalfMax, kHalfMax)); }
+
+void map_record(tables::ResidualRecord& record, int terms, const glm::dmat3& map) {
+  std::array<double, 16> values{};
+  for (size_t i = 0; i < values.size(); ++i) values[i] = half(record.halves[i / 2] >> (i % 2 * 16));
+  for (size_t k = 0; k <= static_cast<size_t>(terms); ++k) {
+    const dvec3 mapped = map * dvec3(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    for (size_t c = 0; c < 3; ++c) values[3 * k + c] = mapped[static_cast<int>(c)];
+  }
+  for (size_t i = 0; i < 8; ++i) record.halves[i] = bits_of(values[2 * i]) | bits_of(values[2 * i + 1]) << 16;
+}
+
+}  // namespace
+
+std::vector<dvec3> changed_colours(const std::vector<dvec3>& colours, const PigmentChange& change) {
+  const Mixtures mixtures(change);
+  std::vector<dvec3> changed;
+  for (const dvec3& colour : colours) changed.push_back(mixtures.changed(colour));
+  return changed;
+}
+
+Spmm with_pigment(const Spmm& spmm, const PigmentChange& change) {
+  const Mixtures mixtures(change);
+  Spmm result = spmm;
+  std::vector<double> sizes;
+  for (const Basis& basis : spmm.dictionary) sizes.push_back(lobe_size(basis.lobe));
+  std::vector<ColourMap> maps(spmm.clusters.size());
+  for (const tables::Texel& texel : spmm.texels) {
+    const size_t cluster = texel.cluster_count & 0xffu, count = texel.cluster_count >> 8 & 0xffu;
+    for (size_t i = texel.first_entry; i < texel.first_entry + count; ++i) {
+      const tables::Entry& old = spmm.entries[i];
+      const size_t basis = old.basis_red & 0xffffu;
+      const dvec3 before(half(old.basis_red >> 16), half(old.green_blue), half(old.green_blue >> 16));
+      const dvec3 after = mixtures.changed(before);
+      maps[cluster].add(before, after, sizes[basis] * sizes[basis]);
+      result.entries[i] = {static_cast<uint32_t>(basis) | bits_of(after.x) << 16, bits_of(after.y) | bits_of(after.z)
+                                                                                                         << 16};
+    }
+  }
+  if (spmm.residual.records.empty()) return result;
+  ColourMap all;
+  for (const ColourMap& map : maps) all.squares += map.squares, all.products += map.products;
+  const size_t pairs = spmm.residual.directions.size() * spmm.residual.directions.size();
+  for (size_t c = 0; c < maps.size(); ++c) {
+    const glm::dmat3 map = maps[c].solved(all);
+    for (size_t pair = 0; pair < pairs; ++pair)
+      map_record(result.residual.records[c * pairs + pair], spmm.residual.terms, map);
+  }
+  return result;
+}
+
+}  // namespace vamp
