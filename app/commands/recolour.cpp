@@ -3,13 +3,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/colour_option.h"
 #include "app/commands/command.h"
 #include "engine/core/json.h"
 #include "engine/fit/swatch.h"
 #include "engine/image/save.h"
 #include "engine/material/pigments.h"
 #include "engine/material/preset.h"
-#include "engine/project/job_options.h"
 
 namespace vamp {
 namespace {
@@ -20,12 +20,6 @@ struct Options {
   std::string input, output, from, to, name;
   std::vector<std::string> keep;
 };
-
-Result<vec3> colour_option(const std::string& text, std::string_view option) {
-  if (text == "white") return vec3(1);
-  if (text == "black") return vec3(0);
-  return parse_color(text, option);
-}
 
 Status recolour(const Options& options, const CommonOptions& common) {
   PigmentChange change;

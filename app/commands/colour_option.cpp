@@ -1,0 +1,13 @@
+#include "app/commands/colour_option.h"
+
+#include "engine/project/job_options.h"
+
+namespace vamp {
+
+Result<vec3> colour_option(std::string_view text, std::string_view option) {
+  if (text == "white") return vec3(1);
+  if (text == "black") return vec3(0);
+  return parse_color(text, option);
+}
+
+}  // namespace vamp
