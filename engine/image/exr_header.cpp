@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace vamp {
 namespace {
@@ -71,13 +72,65 @@ Status read_channels(Bytes data, std::string_view file, ExrHeader& header) {
     header.channels.emplace_back(name);
     header.is_half.push_back(type == 1);
   }
-  if (cursor.failed()) return fail(ErrorKind::bad_input, file, "channels", "a channel list", "a damaged one");
+  if (cursor.failed() || cursor.at() != data.size())
+    return fail(ErrorKind::bad_input, file, "channels", "a channel list", "a damaged one");
   return {};
 }
 
+// Bytes of types whose values decoders read by their own length, not by the attribute's: where the two differ, they and
+// the check below would see different attributes after it.
+constexpr std::pair<std::string_view, size_t> kLengths[] = {{"box2f", 16},
+                                                            {"box2i", 16},
+                                                            {"chromaticities", 32},
+                                                            {"compression", 1},
+                                                            {"deepImageState", 1},
+                                                            {"double", 8},
+                                                            {"envmap", 1},
+                                                            {"float", 4},
+                                                            {"int", 4},
+                                                            {"keycode", 28},
+                                                            {"lineOrder", 1},
+                                                            {"m33d", 72},
+                                                            {"m33f", 36},
+                                                            {"m44d", 128},
+                                                            {"m44f", 64},
+                                                            {"rational", 8},
+                                                            {"tiledesc", 9},
+                                                            {"timecode", 8},
+                                                            {"v2d", 16},
+                                                            {"v2f", 8},
+                                                            {"v2i", 8},
+                                                            {"v3d", 24},
+                                                            {"v3f", 12},
+                                                            {"v3i", 12}};
+
+// Whether a value is as long as its type or its own numbers say. A manifest of identifiers is unpacked into memory of
+// a size that it names itself.
+bool has_its_length(std::string_view type, Bytes data) {
+  for (const auto& [name, length] : kLengths)
+    if (type == name) return data.size() == length;
+  if (type == "floatvector") return data.size() % 4 == 0;
+  if (type == "preview")
+    return data.size() >= 8 && data.size() % 4 == 0 &&
+           uint64_t{little_endian_32(data, 0)} * little_endian_32(data, 4) == data.size() / 4 - 2;
+  if (type == "idmanifest") return data.size() >= 4 && little_endian_32(data, 0) <= 1u << 26;
+  if (type == "stringvector") {
+    Cursor cursor(data);
+    while (!cursor.failed() && cursor.at() < data.size()) cursor.take(cursor.number());
+    return !cursor.failed();
+  }
+  return true;
+}
+
 Status read_attribute(std::string_view name, std::string_view type, Bytes data, std::string_view file, Raw& raw) {
+  if (!has_its_length(type, data))
+    return fail(ErrorKind::bad_input, file, name, fmt::format("an attribute as long as its {} is", type),
+                fmt::format("{} bytes", data.size()));
   const auto signed_at = [data](size_t at) { return int64_t{std::bit_cast<int32_t>(little_endian_32(data, at))}; };
-  if (name == "channels" && type == "chlist") return read_channels(data, file, raw.header);
+  if (type == "chlist") {
+    if (name != "channels") return fail(ErrorKind::bad_input, file, name, "one list of channels", "another");
+    return read_channels(data, file, raw.header);
+  }
   if (name == "dataWindow" && type == "box2i" && data.size() == 16)
     raw.window = {signed_at(0), signed_at(4), signed_at(8), signed_at(12)};
   if (name == "compression" && data.size() == 1) raw.compression = std::to_integer<uint32_t>(data[0]);

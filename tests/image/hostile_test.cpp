@@ -115,6 +115,24 @@ TEST(Limits, HugeSizesInHeadersAreRefusedBeforeMemoryIsSpent) {
   EXPECT_TRUE(decode_image(valid("exr"), "x", ColourSpace::srgb, small));
 }
 
+// A decoder that goes by a value's own length would read the rest of the file as other attributes than were checked.
+TEST(Exr, AttributesOfAnotherLengthThanTheirValueAreRefused) {
+  for (const std::string_view attribute :
+       {std::string_view("channels\0chlist", 15), {"dataWindow\0box2i", 16}, {"pixelAspectRatio\0float", 22}}) {
+    auto exr = valid("exr");
+    const std::string_view text(reinterpret_cast<const char*>(exr.data()), exr.size());
+    const size_t length = text.find(attribute) + attribute.size() + 1;
+    ASSERT_LT(length, exr.size());
+    ASSERT_TRUE(decode_image(exr, "x.exr"));
+    exr[length] = static_cast<std::byte>(std::to_integer<int>(exr[length]) + 1);
+    exr.insert(exr.begin() + static_cast<std::ptrdiff_t>(length) + 4, std::byte{0});
+    const auto image = decode_image(exr, "x.exr");
+    ASSERT_FALSE(image);
+    EXPECT_EQ(image.error().kind, ErrorKind::bad_input);
+    EXPECT_THAT(image.error().message(), HasSubstr(std::string(attribute.substr(0, attribute.find('\0')))));
+  }
+}
+
 TEST(NotFinite, InfinityAndNanInAnExrAreRefusedWithTheirPlace) {
   for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     Image image = noise_image(8, 8, {"R", "G", "B"}, 1);
