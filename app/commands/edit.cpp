@@ -45,6 +45,7 @@ void add_edit(CLI::App& app, CommonOptions& common, Action& action) {
   verb->add_option(
       "--record-exit", options->record_exit,
       "At the end write the linear picture and its job to this .exr, once it has the project's last sample");
+  verb->add_flag("--tell", options->tell)->group("");
   verb->add_option("--lose-device", options->lose_device)->check(CLI::IsMember({"renderer", "window"}))->group("");
   verb->callback([options, size, &common, &action] {
     action = [options, size, &common]() -> Status {

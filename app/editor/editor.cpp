@@ -53,6 +53,7 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
   snapshot_.busy = [this](bool running) {
     if (session_) session_->pause(running || context_.paused);
   };
+  if (options_.tell) teller_.emplace();
   connect_context();
   ui::add_panels(dock_, panels_, context_);
   add_actions();
@@ -219,6 +220,7 @@ void Editor::frame() {
     save_settings_now();
   }
   measure_frames();
+  if (teller_) teller_->tell(context_);
   if (ImGui::GetFrameCount() <= 2) tell_time("frame of the window");
 }
 

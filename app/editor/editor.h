@@ -2,6 +2,7 @@
 // The editor while its window is open: the document with everything that follows it, what the menus do, what is drawn.
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "app/editor/options.h"
 #include "app/editor/preset_dialog.h"
 #include "app/editor/snapshot_dialog.h"
+#include "app/editor/teller.h"
 #include "app/editor/thumbnails.h"
 #include "app/editor/viewport_picture.h"
 #include "app/window/window.h"
@@ -109,6 +111,8 @@ class Editor {
   ui::Panels panels_;
   std::unique_ptr<gpu::Device> render_device_;
   std::unique_ptr<RenderSession> session_;
+
+  std::optional<Teller> teller_;  // --tell
 
   int viewport_width_ = 0, viewport_height_ = 0;
   bool about_ = false;

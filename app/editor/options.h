@@ -18,6 +18,7 @@ struct EditorOptions {
   int width = 0, height = 0;  // of the window; 0: as it was left
   int edit_memory = -1;       // MiB for what edits are answered from (RenderSession); -1: a share of the device's
   int frames = 0;             // over 0: draws this many frames once the picture is there, prints their times, ends
+  bool tell = false;          // for programs that use the window: tells on stdout what it shows (Teller)
   std::filesystem::path record_exit;  // not empty: the linear picture with its job goes there at the end (.exr)
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
   std::string lose_device;            // for tests, after the first edit: what loses its device, "renderer" or "window"

@@ -11,6 +11,7 @@
 #include "editor/widgets/controls.h"
 #include "editor/widgets/hover.h"
 #include "editor/widgets/icons.h"
+#include "editor/widgets/places.h"
 #include "editor/widgets/theme.h"
 #include "engine/material/tables.h"
 
@@ -148,6 +149,7 @@ void BasisTable::draw_row(PanelContext& context, int basis) {
   ImGui::TableNextColumn();
   const std::string name = shown.name.empty() ? fmt::format("function {}", basis) : shown.name;
   cell_text(name.c_str(), differs(material.edits, key) ? theme().changed : 0);
+  note_place(name.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   ImGui::TableNextColumn();
   cell_text(std::string(model_row(shown.lobe.model).label).c_str());
   if (ImGui::IsItemHovered()) hover_text(model_text(shown.lobe).c_str());

@@ -12,6 +12,7 @@
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/edit.h"
 #include "editor/widgets/hover.h"
+#include "editor/widgets/places.h"
 #include "editor/widgets/theme.h"
 
 namespace vamp::ui {
@@ -37,6 +38,7 @@ void ViewportPanel::draw(PanelContext& context) {
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   if (size.x < 1 || size.y < 1) return;
   ask_for_size(context, size);
+  note_place("Viewport", low, ImVec2(low.x + size.x, low.y + size.y));
   if (!context.problem.empty()) return draw_no_document(context);
   draw_picture(context, low);
 

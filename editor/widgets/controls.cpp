@@ -9,6 +9,7 @@
 
 #include "editor/widgets/hover.h"
 #include "editor/widgets/icons.h"
+#include "editor/widgets/places.h"
 #include "editor/widgets/theme.h"
 
 namespace vamp::ui {
@@ -94,6 +95,7 @@ EditOf<int> combo_row(const char* label, int& choice, std::span<const char* cons
   if (ImGui::BeginCombo("##list", shown, ImGuiComboFlags_HeightLarge)) {
     for (int i = 0; i < count; ++i) {
       if (ImGui::Selectable(names[static_cast<size_t>(i)], i == choice && !state.mixed)) choice = i;
+      note_place(names[static_cast<size_t>(i)], ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
       if (i == choice) ImGui::SetItemDefaultFocus();
       if (static_cast<size_t>(i) < details.size()) hover_text(details[static_cast<size_t>(i)]);
     }
@@ -101,6 +103,7 @@ EditOf<int> combo_row(const char* label, int& choice, std::span<const char* cons
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
+  note_place(label, ImVec2(row.control, row.top), ImVec2(row.number_end, row.top + row.height));
   bool reset = false;
   if (initial >= 0 && initial < count) {
     reset = row_reset(row, (choice != initial || state.mixed) && !state.locked, names[static_cast<size_t>(initial)]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/widgets/places.h"
 #include "editor/widgets/theme.h"
 #include "engine/core/check.h"
 
@@ -212,6 +213,7 @@ float Dock::draw_tabs(DockNode& leaf, ImVec2 low, ImVec2 high) {
     x = tab.Max.x;
     ImGui::PushID(id.c_str());
     const ImGuiID item = ImGui::GetID("tab");
+    if (panel != nullptr) note_place(panel->title.c_str(), tab.Min, tab.Max);
     bool hovered = false, held = false;
     if (ImGui::ItemAdd(tab, item)) {
       const ImGuiButtonFlags on_press = ImGuiButtonFlags_PressedOnClick;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/widgets/hover.h"
+#include "editor/widgets/places.h"
 #include "editor/widgets/row.h"
 #include "editor/widgets/theme.h"
 
@@ -113,6 +114,7 @@ EditOf<float> parameter_control(const Parameter& parameter, float& value, const 
   const ImGuiID bar_id = window->GetID("##bar");
   const bool has_bar = bar.GetWidth() >= px(24);
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
+  if (has_bar) note_place(parameter.label, bar.Min, bar.Max);
   if (has_bar && ImGui::ItemAdd(bar, bar_id) && !state.locked) {
     ImGui::ButtonBehavior(bar, bar_id, &hovered, &held);
     if (hovered && ImGui::IsMouseClicked(0) && (ImGui::GetIO().KeyCtrl || ImGui::IsMouseDoubleClicked(0))) {
