@@ -115,6 +115,7 @@ void Editor::start_renderer() {
       options_.edit_memory < 0 ? RenderSession::kAutomaticMemory : static_cast<uint64_t>(options_.edit_memory) << 20;
   session_ =
       std::make_unique<RenderSession>(*render_device_, document_.project(), viewport_width_, viewport_height_, memory);
+  session_->when_answered([this] { window_.show_soon(); });
   session_->pause(context_.paused || snapshot_.running());
   context_.session = session_.get();
 }

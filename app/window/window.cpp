@@ -74,6 +74,7 @@ struct Window::State {
   float wanted_scale = 0;
   float scale = 1;
   std::atomic<bool> woken = true;
+  std::atomic<bool> awaited = false;  // the next frame shows something that is waited for
   bool quit = false;
   bool outdated = true;  // the swapchain must be made again
   bool unshown = false;  // a drawn frame waits for an image
@@ -147,6 +148,11 @@ void Window::quit() { state_->quit = true; }
 
 void Window::wake() {
   if (!state_->woken.exchange(true)) glfwPostEmptyEvent();
+}
+
+void Window::show_soon() {
+  state_->awaited = state_->woken = true;
+  glfwPostEmptyEvent();
 }
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->window, title.c_str()); }
@@ -239,7 +245,8 @@ bool Window::draw_frame(const Hooks& hooks) {
 
 void Window::run(const Hooks& hooks) {
   State& s = *state_;
-  constexpr double kFrame = 1.0 / 60;  // s, at the least between two frames
+  constexpr double kFrame = 1.0 / 60;     // s, at the least between two frames
+  constexpr double kAwaited = 1.0 / 500;  // s, the same before what is waited for
   // Mesa reads the X connection too and may take an event off it while we sleep on the socket, so never sleep long.
   constexpr double kLook = 0.05;   // s, at the most between looks at the world
   constexpr double kIdle = 3600;   // s, before the first frame and without a wish
@@ -250,7 +257,7 @@ void Window::run(const Hooks& hooks) {
     // Sleep until an event, a wish or the rate limit. A frame that found no image is shown as soon as one is free.
     const double past = s.times.frames == 0 ? kIdle : seconds_since(s.last_frame);
     const bool due = s.woken || s.input->pending() || s.settle > 0 || past >= wake_at;
-    double timeout = due ? kFrame - past : std::min(wake_at - past, kLook);
+    double timeout = due ? (s.awaited ? kAwaited : kFrame) - past : std::min(wake_at - past, kLook);
     if (s.unshown) timeout = std::min(timeout, 0.004);
     if (!shown) timeout = 0.25;  // minimised
     if (timeout > 0) {
@@ -269,14 +276,14 @@ void Window::run(const Hooks& hooks) {
     }
     const double now = s.times.frames == 0 ? kIdle : seconds_since(s.last_frame);
     const bool wanted = s.woken || s.input->pending() || s.settle > 0 || now >= wake_at || !shown;
-    if (!wanted || (now < kFrame * 0.9 && shown)) {
+    if (!wanted || (now < (s.awaited ? kAwaited : kFrame * 0.9) && shown)) {
       if (s.unshown) show(false);
       continue;
     }
 
     // React to what happened to the window, then draw.
     if (s.input->pending()) s.settle = 3;
-    s.woken = false;
+    s.woken = s.awaited = false;
     if (std::exchange(events.scale_changed, false)) {
       float across = 1;
       glfwGetWindowContentScale(s.window, &across, nullptr);

@@ -70,6 +70,8 @@ class Window {
 
   // From any thread: there is something new to show. Several calls before the next frame make one frame.
   void wake();
+  // The same for what the last frame asked for and is waited for: the next frame comes at once.
+  void show_soon();
 
   void set_title(const std::string& title);
   Place place() const;

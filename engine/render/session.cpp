@@ -77,6 +77,11 @@ class RenderSession::Impl {
     wake_.notify_all();
   }
 
+  void when_answered(std::function<void()> answered) {
+    const std::lock_guard lock(mutex_);
+    answered_ = std::move(answered);
+  }
+
   void lose_device() {
     {
       const std::lock_guard lock(mutex_);
@@ -169,7 +174,7 @@ class RenderSession::Impl {
   // What is most wanted, a tile or some 10 ms of it.
   void work() {
     if (refused_ || renderer_.region().width == 0) return;
-    if (std::exchange(wants_preview_, false)) return show_all(renderer_.preview(preview_stride()));
+    if (std::exchange(wants_preview_, false)) return answer(renderer_.preview(preview_stride()));
     if (renderer_.replaying()) return shade_again();
     if (wants_weights()) {
       device_.wait(renderer_.gather_weights(finished_, kReplaySamples));
@@ -203,7 +208,7 @@ class RenderSession::Impl {
     const bool kept = !change->restarted && change->reshaded == 0;
     if ((change->recomposed || change->recombined > 0) && renderer_.region().width > 0) {
       goal_.forget_picture();
-      show_all(change->recomposed ? renderer_.recompose() : renderer_.last_submitted());
+      answer(change->recomposed ? renderer_.recompose() : renderer_.last_submitted());
       if (kept) shown_.set_restarted({});
     }
     finished_ = renderer_.region().width > 0 && !renderer_.replaying() && reached();
@@ -281,7 +286,7 @@ class RenderSession::Impl {
     const uint64_t value = renderer_.replay(kReplaySamples);
     device_.wait(value);
     if (!renderer_.replay_pass_complete()) return;
-    show_all(value);
+    owes_picture_ ? answer(value) : show_all(value);
     owes_picture_ = false;
     const uint32_t samples = renderer_.replayed_samples();
     const bool over = !renderer_.replaying();
@@ -375,6 +380,16 @@ class RenderSession::Impl {
 
   void show_all(uint64_t value) { shown_.show_all(renderer_, value); }
 
+  void answer(uint64_t value) {
+    show_all(value);
+    std::function<void()> answered;
+    {
+      const std::lock_guard lock(mutex_);
+      answered = answered_;
+    }
+    if (answered) answered();
+  }
+
   gpu::Device& device_;
 
   // The renderer: used by the render thread, and by readers between two tiles.
@@ -404,6 +419,7 @@ class RenderSession::Impl {
   std::atomic<bool> finished_{false}, refused_{false};
   std::atomic<bool> busy_{false};  // something is due even while refinement rests
   RenderStatus status_;
+  std::function<void()> answered_;
 
   ShownPicture shown_;
 
@@ -420,6 +436,7 @@ void RenderSession::set_project(std::shared_ptr<const Project> project, std::str
 }
 void RenderSession::resize(int width, int height) { impl_->resize(width, height); }
 void RenderSession::pause(bool paused) { impl_->pause(paused); }
+void RenderSession::when_answered(std::function<void()> answered) { impl_->when_answered(std::move(answered)); }
 void RenderSession::lose_device() { impl_->lose_device(); }
 RenderStatus RenderSession::status() const { return impl_->status(); }
 void RenderSession::set_weights_at_hand(const WeightGroup& group) { impl_->set_weights_at_hand(group); }

@@ -2,6 +2,7 @@
 // The interactive renderer: a thread of its own that refines the picture tile by tile, one tile in flight, and takes a
 // new project between two tiles. Nothing here waits for the GPU on the caller's thread.
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,6 +57,10 @@ class RenderSession {
 
   // Rows whose weights may be pulled next: what is selected. Cheap: call it every frame.
   void set_weights_at_hand(const WeightGroup& group);
+
+  // Called on the render thread whenever the picture shows for the first time what was asked for last: an edit, a view,
+  // a size. To be set before anything is asked for; it must not call the session.
+  void when_answered(std::function<void()> answered);
 
   // As if the device were lost at the next tile, for tests.
   void lose_device();
