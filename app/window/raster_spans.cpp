@@ -71,9 +71,19 @@ void picture_row(uint32_t* target, const Texture& texture, const uint8_t* source
     std::memcpy(target, source, static_cast<size_t>(count) * 4);
     return;
   }
-  for (int i = 0; i < count; ++i) {
+  const auto at = [source](int i) {
     uint32_t c;
     std::memcpy(&c, source + 4 * static_cast<size_t>(i), 4);
+    return c;
+  };
+  if (plain && texture.opaque) {
+    for (int i = 0; i < count; ++i) target[i] = swap_red_blue(at(i)) | 0xff000000u;
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    uint32_t c = at(i);
+    // Most of an overlay shows nothing.
+    if (c >> 24 == 0 && !texture.opaque) continue;
     if (swap) c = swap_red_blue(c);
     if (texture.opaque) c |= 0xff000000u;
     if (!plain) c = modulate(c, tint);
