@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+struct GLFWwindow;
 struct ImDrawData;
 
 namespace vamp::gpu {
@@ -27,6 +28,9 @@ class Painter {
   // Takes over a frame. False when the window would show what it shows already.
   virtual bool prepare(const ImDrawData& data) = 0;
 
+  // Whether prepare() has shown the frame; then there are no images and nothing is recorded.
+  virtual bool shows_itself() const { return false; }
+
   // Records the drawing of the frame into an acquired image, from any layout to presentation.
   virtual void record(gpu::CommandList& list, VkImage image, uint32_t index) = 0;
 
@@ -39,6 +43,8 @@ class Painter {
   virtual const char* name() const = 0;
 };
 
+// Into memory that an X server shares with the program; null where there is no such.
+std::unique_ptr<Painter> make_shared_painter(GLFWwindow* window, const Textures& textures);
 std::unique_ptr<Painter> make_cpu_painter(gpu::Device& device, const Textures& textures);
 std::unique_ptr<Painter> make_vulkan_painter(gpu::Device& device, const Textures& textures);
 

@@ -69,14 +69,15 @@ struct Window::State {
   Textures* textures = nullptr;
   GLFWwindow* window = nullptr;
   std::unique_ptr<GlfwInput> input;
-  std::unique_ptr<Swapchain> swapchain;
+  std::unique_ptr<Swapchain> swapchain;  // null where the painter shows its frames itself
   std::unique_ptr<Painter> painter;
   float wanted_scale = 0;
   float scale = 1;
   std::atomic<bool> woken = true;
   std::atomic<bool> awaited = false;  // the next frame shows something that is waited for
   bool quit = false;
-  bool outdated = true;  // the swapchain must be made again
+  VkExtent2D extent{};   // of what is painted
+  bool outdated = true;  // what is painted into must be made again
   bool unshown = false;  // a drawn frame waits for an image
   int settle = 2;        // further frames after an event: ImGui shows some of its effects a frame later
   FrameTimes times;
@@ -124,23 +125,27 @@ Result<std::unique_ptr<Window>> Window::open(gpu::Device& device, Textures& text
   glfwSetWindowSizeLimits(state->window, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   if (place.placed && !place.maximised) glfwSetWindowPos(state->window, place.x, place.y);
 
-  VkSurfaceKHR surface = VK_NULL_HANDLE;
-  if (glfwCreateWindowSurface(device.instance(), state->window, nullptr, &surface) != VK_SUCCESS) {
-    return fail(ErrorKind::no_device, device.info().name, "window", "a Vulkan surface (VK_KHR_surface)", glfw_error());
-  }
-  VAMP_TRY(Swapchain chain, Swapchain::create(device, surface));
-  state->swapchain = std::make_unique<Swapchain>(std::move(chain));
   state->input = std::make_unique<GlfwInput>(state->window);
   const bool on_cpu =
       options.renderer == UiRenderer::automatic ? device.info().is_cpu : options.renderer == UiRenderer::cpu;
-  state->painter = on_cpu ? make_cpu_painter(device, textures) : make_vulkan_painter(device, textures);
+  if (on_cpu) state->painter = make_shared_painter(state->window, textures);
+  if (!state->painter) {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    if (glfwCreateWindowSurface(device.instance(), state->window, nullptr, &surface) != VK_SUCCESS) {
+      return fail(ErrorKind::no_device, device.info().name, "window", "a Vulkan surface (VK_KHR_surface)",
+                  glfw_error());
+    }
+    VAMP_TRY(Swapchain chain, Swapchain::create(device, surface));
+    state->swapchain = std::make_unique<Swapchain>(std::move(chain));
+    state->painter = on_cpu ? make_cpu_painter(device, textures) : make_vulkan_painter(device, textures);
+  }
   float across = 1;
   glfwGetWindowContentScale(state->window, &across, nullptr);
   state->scale = options.scale > 0 ? options.scale : across;
   state->input->events().scale_changed = true;
   glfwShowWindow(state->window);
   spdlog::info("window: {} x {}, user interface drawn by {}, presentation {}", place.width, place.height,
-               state->painter->name(), state->swapchain->mode());
+               state->painter->name(), state->swapchain ? state->swapchain->mode() : "through shared memory");
   return std::unique_ptr<Window>(new Window(std::move(state)));
 }
 
@@ -177,9 +182,30 @@ void Window::set_scale(float scale) {
 const FrameTimes& Window::times() const { return state_->times; }
 const char* Window::renderer_name() const { return state_->painter->name(); }
 
+// Makes what is painted into anew for a window of this size. False while there is nothing to show it in.
+bool Window::fit(uint32_t width, uint32_t height) {
+  State& s = *state_;
+  std::vector<VkImage> images;
+  s.extent = {width, height};
+  if (s.swapchain) {
+    const Result<bool> made = s.swapchain->resize(width, height);
+    if (!made) throw MachineError(made.error().kind, made.error().message());
+    if (!*made) return false;
+    s.extent = s.swapchain->extent();
+    for (uint32_t i = 0; i < s.swapchain->count(); ++i) images.push_back(s.swapchain->image(i));
+  }
+  s.painter->resize(s.extent.width, s.extent.height, images);
+  s.outdated = false;
+  return true;
+}
+
 // Shows the drawn frame if there is an image for it; otherwise it stays to be shown.
 void Window::show(bool changed) {
   State& s = *state_;
+  if (s.painter->shows_itself()) {
+    if (changed) ++s.times.presented;
+    return;
+  }
   s.unshown = s.unshown || changed;
   if (!s.unshown || s.outdated) return;
   uint32_t index = 0;
@@ -208,22 +234,13 @@ bool Window::draw_frame(const Hooks& hooks) {
   int width = 0, height = 0;
   glfwGetFramebufferSize(s.window, &width, &height);
   if (width <= 0 || height <= 0) return false;
-  const VkExtent2D extent = s.swapchain->extent();
-  if (s.outdated || extent.width != static_cast<uint32_t>(width) || extent.height != static_cast<uint32_t>(height)) {
-    const Result<bool> made = s.swapchain->resize(static_cast<uint32_t>(width), static_cast<uint32_t>(height));
-    if (!made) throw MachineError(made.error().kind, made.error().message());
-    if (!*made) return false;
-    s.outdated = false;
-    std::vector<VkImage> images;
-    for (uint32_t i = 0; i < s.swapchain->count(); ++i) images.push_back(s.swapchain->image(i));
-    s.painter->resize(s.swapchain->extent().width, s.swapchain->extent().height, images);
-  }
+  const auto w = static_cast<uint32_t>(width), h = static_cast<uint32_t>(height);
+  if ((s.outdated || s.extent.width != w || s.extent.height != h) && !fit(w, h)) return false;
   ImGuiIO& io = ImGui::GetIO();
   const double elapsed = s.times.frames == 0 ? 1.0 / 60 : seconds_since(s.last_frame);
   io.DeltaTime = static_cast<float>(std::clamp(elapsed, 1e-4, 1.0));
   s.last_frame = Clock::now();
-  io.DisplaySize =
-      ImVec2(static_cast<float>(s.swapchain->extent().width), static_cast<float>(s.swapchain->extent().height));
+  io.DisplaySize = ImVec2(static_cast<float>(s.extent.width), static_cast<float>(s.extent.height));
   io.DisplayFramebufferScale = ImVec2(1, 1);
   s.input->queue().apply(io);
 

@@ -84,6 +84,7 @@ class Window {
   struct State;
   explicit Window(std::unique_ptr<State> state);
   bool draw_frame(const Hooks& hooks);
+  bool fit(uint32_t width, uint32_t height);
   void show(bool changed);
   std::unique_ptr<State> state_;
 };

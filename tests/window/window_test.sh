@@ -1,21 +1,24 @@
 #!/bin/sh
 # A real window under Xvfb, driven by mouse and keyboard: one drag is one undo step, a typed number another, the window
-# survives resizing, Ctrl+Q asks and Enter answers. Usage: window_test.sh GALLERY cpu|vulkan
+# survives resizing, Ctrl+Q asks and Enter answers. Usage: window_test.sh GALLERY cpu|vulkan [OPTION OF XVFB ...]
 set -e
+program=$1
+renderer=$2
+shift 2
 for tool in Xvfb xdotool; do
   command -v $tool > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 # The server chooses its number and says it when it is ready: numbers chosen from outside clash with servers that just end.
 folder=$(mktemp -d)
 mkfifo "$folder/display"
-Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3> "$folder/display" 2> "$folder/server" &
+Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp "$@" 3> "$folder/display" 2> "$folder/server" &
 server=$!
 trap 'kill "$server" 2> /dev/null; rm -rf "$folder"' EXIT
 read -r number < "$folder/display" || { echo "Xvfb did not start:"; cat "$folder/server"; exit 1; }
 export DISPLAY=":$number"
 unset XAUTHORITY WAYLAND_DISPLAY
 out=$folder/out
-"$1" --ui "$2" --validate > "$out" 2>&1 &
+"$program" --ui "$renderer" --validate > "$out" 2>&1 &
 gallery=$!
 # The window is there and has drawn when its title can be found; a busy machine may need long.
 for i in $(seq 300); do
