@@ -37,12 +37,14 @@ void add_bench(CLI::App& app, CommonOptions& common, Action& action) {
   add_bench_materials(*verb, common, action);
   add_bench_measured(*verb, common, action);
   add_bench_mixture(*verb, common, action);
+  add_bench_noise(*verb, common, action);
   add_bench_paper(*verb, common, action);
   add_bench_peers(*verb, common, action);
   add_bench_rays(*verb, common, action);
   add_bench_shading(*verb, common, action);
   add_bench_speed_error(*verb, common, action);
   add_bench_triangles(*verb, common, action);
+  add_bench_window(*verb, common, action);
 }
 
 }  // namespace vamp
