@@ -40,9 +40,9 @@ Phase phase(EditorWindow& window, const Area& panel, double hertz) {
 }  // namespace
 
 Result<std::vector<Pace>> measure_paces(EditorWindow& window) {
-  // The panel below the row of tabs.
-  VAMP_TRY(const Area tab, window.find("Material", "Weight"));
-  const Area panel{tab.x, 200, 200, 600};
+  // Over many rows of the panel.
+  VAMP_TRY(const Area row, window.find("Material", "Weight"));
+  const Area panel{row.x, 200, row.width, 600};
   // A pass or two, after which tiles are made as they will be.
   if (!window.waits_for([](const Json& told) { return told.value("samples", 0) >= 8; }, 120))
     return fail(ErrorKind::failed, "vamp edit", "", "8 samples within two minutes", "fewer");
