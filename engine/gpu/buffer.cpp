@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "engine/core/check.h"
 #include "engine/core/error.h"
@@ -23,6 +24,16 @@ VkBufferUsageFlags flags_of(Usage usage) {
   return flags;
 }
 
+// lavapipe compiles a kernel anew for texel buffers that differ in whether their size is a power of two, and for texel
+// views that differ in whether bits 8 to 15 of their size are all 0 (it takes those for a number of mip levels): an
+// edit that makes a table grow, or a window of another size, would stop the picture for a second. So none has either:
+// some unused bytes at the end see to it.
+uint64_t texel_buffer_bytes(uint64_t bytes) {
+  bytes = std::max<uint64_t>(bytes, 272);
+  if ((bytes >> 8 & 255) == 0) bytes += 256;
+  return std::has_single_bit(bytes) ? bytes + 256 : bytes;
+}
+
 }  // namespace
 
 Resource::Resource(Device& owner) : device(owner) { device.resources_.fetch_add(1, std::memory_order_relaxed); }
@@ -41,7 +52,8 @@ Buffer::Buffer(Device& device, const BufferDesc& desc) {
   state->desc = desc;
   const std::string what = fmt::format("GPU buffer '{}' of {}", desc.name, mebibytes(desc.bytes));
   // A whole number of 16-byte rows, so that fills and views of any format cover the end; never nothing.
-  const uint64_t bytes = std::max<uint64_t>(16, (desc.bytes + 15) / 16 * 16);
+  uint64_t bytes = std::max<uint64_t>(16, (desc.bytes + 15) / 16 * 16);
+  if (has(desc.usage, Usage::uniform_texel | Usage::storage_texel)) bytes = texel_buffer_bytes(bytes);
   if (bytes < desc.bytes || bytes > device.info().max_allocation_bytes)
     throw MachineError(ErrorKind::device_lost, fmt::format("{}: this device allows at most {}", what,
                                                            mebibytes(device.info().max_allocation_bytes)));
@@ -62,6 +74,7 @@ Buffer::Buffer(Device& device, const BufferDesc& desc) {
                                       .memoryTypeIndex = device.memory_type_[kind]};
   require(vkAllocateMemory(device.handle(), &allocate, nullptr, &state->memory),
           fmt::format("{} ({} allocated so far)", what, mebibytes(device.allocated_)));
+  state->bytes = bytes;
   state->allocated = needs.size;
   device.allocated_.fetch_add(needs.size, std::memory_order_relaxed);
   require(vkBindBufferMemory(device.handle(), state->buffer, state->memory, 0), what);
@@ -122,6 +135,7 @@ TexelView::TexelView(Device& device, const Buffer& buffer, VkFormat format, uint
   CHECK(offset % device.info().texel_offset_alignment == 0 && offset <= buffer.bytes());
   if (bytes == VK_WHOLE_SIZE) bytes = buffer.bytes() - offset;
   CHECK(bytes <= buffer.bytes() - offset);
+  const bool whole = offset == 0 && bytes == buffer.bytes();
 
   // Refuse what the device cannot view: too many texels, or this format.
   const uint64_t size = texel_bytes(format);
@@ -142,12 +156,16 @@ TexelView::TexelView(Device& device, const Buffer& buffer, VkFormat format, uint
   state->buffer = buffer.state();
   state->format = format;
   state->texels = texels;
-  // An empty view still needs a texel: buffers are never smaller than 16 bytes.
+  // An empty view still needs a texel: buffers are never smaller than 16 bytes. A whole one takes the bytes at the
+  // buffer's end along, for which see there.
+  uint64_t range = std::max<uint64_t>(texels, 1) * size;
+  if (whole && buffer.state()->bytes / size <= device.info().max_texel_elements)
+    range = buffer.state()->bytes / size * size;
   const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
                                     .buffer = buffer.handle(),
                                     .format = format,
                                     .offset = texels > 0 ? offset : 0,
-                                    .range = std::max<uint64_t>(texels, 1) * size};
+                                    .range = range};
   require(vkCreateBufferView(device.handle(), &info, nullptr, &state->view), "GPU view of '" + buffer.name() + "'");
   device.name_object(VK_OBJECT_TYPE_BUFFER_VIEW, reinterpret_cast<uint64_t>(state->view), buffer.name());
   state_ = std::move(state);

@@ -1,6 +1,7 @@
 #include "engine/gpu/device.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <charconv>
@@ -78,6 +79,7 @@ Status Device::open() {
   physical_ = chosen.physical;
   info_ = std::move(chosen.info);
   family_ = compute_family(physical_);
+  nice_ = getpriority(PRIO_PROCESS, 0);
   VAMP_TRY(device_, open_device(physical_, family_, options_));
   vkGetDeviceQueue(device_, family_, 0, &queue_);
   choose_memory();

@@ -51,6 +51,9 @@ class Device {
   // True where the host sees all of the device's memory (lavapipe, most integrated GPUs).
   bool unified_memory() const { return unified_; }
 
+  // Priority of the thread that opened it, which those of a driver that computes on the processor have inherited.
+  int nice() const { return nice_; }
+
   // --- The queue and its timeline. Every submit gets the next value; values are reached in order.
   CommandList begin(const char* name = nullptr);
   // Hands the list over and returns its timeline value. Staged uploads go first. Throws MachineError.
@@ -138,6 +141,7 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   uint32_t family_ = 0;
   bool unified_ = false;
+  int nice_ = 0;
   uint32_t memory_type_[3] = {};  // by Memory
   VkMemoryPropertyFlags memory_flags_[3] = {};
 

@@ -32,6 +32,7 @@ struct BufferState final : Resource {
   BufferDesc desc;
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceMemory memory = VK_NULL_HANDLE;
+  uint64_t bytes = 0;  // of the buffer, at least those that were asked for
   uint64_t allocated = 0;
   std::byte* mapped = nullptr;
   bool host_cached = false;

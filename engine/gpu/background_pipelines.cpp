@@ -1,0 +1,218 @@
+#include "engine/gpu/background_pipelines.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/core/check.h"
+#include "engine/core/clock.h"
+#include "engine/core/error.h"
+#include "engine/core/log.h"
+#include "engine/gpu/device.h"
+#include "engine/gpu/driver_cache.h"
+#include "engine/gpu/resource.h"
+
+namespace vamp::gpu {
+namespace {
+
+// What is spare yields to the device's own threads.
+constexpr int kSpareNice = 5;
+
+// A dispatch that takes less found its code in the cache; compiling takes ten times as long.
+constexpr double kFoundSeconds = 0.015;
+// The cache's writer has the least priority on a busy machine.
+constexpr double kPatienceSeconds = 1;
+constexpr int kUnseenAllowed = 2;
+
+}  // namespace
+
+// A second device, and something for each binding that has the right format.
+class BackgroundPipelines::Rehearsal {
+ public:
+  Rehearsal(const Device& like, const std::vector<std::pair<Binding, VkFormat>>& formats) {
+    auto made = like.sibling();
+    if (!made) throw MachineError(made.error().kind, made.error().message());
+    device_ = std::move(*made);
+    constexpr Usage kAny = Usage::storage | Usage::uniform | Usage::uniform_texel | Usage::storage_texel;
+    buffer_ = Buffer(*device_, {.name = "rehearsal", .bytes = 4096, .usage = kAny});
+    std::vector<Bound> bound;
+    std::vector<Binding> bindings;
+    views_.reserve(formats.size());
+    for (const auto& [binding, format] : formats) {
+      bindings.push_back(binding);
+      if (format == VK_FORMAT_UNDEFINED) {
+        bound.emplace_back(binding.binding, buffer_);
+      } else {
+        views_.emplace_back(*device_, buffer_, format);
+        bound.emplace_back(binding.binding, views_.back());
+      }
+    }
+    set_ = DescriptorSet(*device_, "rehearsal", bindings, bound);
+    CommandList list = device_->begin("rehearsal");
+    list.fill(buffer_, 0);
+    device_->wait(device_->submit(std::move(list)));
+  }
+
+  // Seconds of the dispatch. Constants of 0: kernels find that there is nothing to do.
+  double run(const PipelineDesc& desc) {
+    const ComputePipeline twin(*device_, desc);
+    const std::vector<std::byte> zero(desc.push_bytes);
+    CommandList list = device_->begin("rehearsal");
+    list.bind(twin, set_);
+    list.push_bytes(zero.data(), desc.push_bytes);
+    list.dispatch(1);
+    const Clock::time_point start = Clock::now();
+    device_->wait(device_->submit(std::move(list)));
+    return seconds_since(start);
+  }
+
+ private:
+  std::unique_ptr<Device> device_;
+  Buffer buffer_;
+  std::vector<TexelView> views_;
+  DescriptorSet set_;
+};
+
+bool BackgroundPipelines::useful(const Device& device) {
+  return !device.info().is_lavapipe || !driver_cache_dir().empty();
+}
+
+BackgroundPipelines::BackgroundPipelines(Device& device, std::function<void()> arrived)
+    : device_(device),
+      arrived_(std::move(arrived)),
+      cache_(device.info().is_lavapipe ? driver_cache_dir() : fs::path()) {
+  threads_.emplace_back([this] { work(device_.nice(), false); });
+  threads_.emplace_back([this] { work(device_.nice() + kSpareNice, true); });
+}
+
+BackgroundPipelines::~BackgroundPipelines() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+  }
+  wanted_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void BackgroundPipelines::bound_as(const std::vector<Binding>& bindings, const std::vector<Bound>& bound) {
+  std::vector<std::pair<Binding, VkFormat>> formats;
+  for (const Binding& binding : bindings) {
+    const auto at =
+        std::find_if(bound.begin(), bound.end(), [&](const Bound& b) { return b.binding == binding.binding; });
+    CHECK(at != bound.end());
+    formats.emplace_back(binding, at->view != nullptr ? at->view->state()->format : VK_FORMAT_UNDEFINED);
+  }
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!formats_.empty()) return;
+    formats_ = std::move(formats);
+  }
+  wanted_.notify_all();
+}
+
+void BackgroundPipelines::want(Number number, const PipelineDesc& desc, Urgency urgency) {
+  {
+    const std::scoped_lock lock(mutex_);
+    jobs_.push_back({number, desc, urgency});
+  }
+  wanted_.notify_all();
+}
+
+void BackgroundPipelines::raise(Number number, Urgency urgency) {
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto job = std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& j) { return j.number == number; });
+    if (job == jobs_.end() || job->urgency <= urgency) return;
+    job->urgency = urgency;
+    // Behind those that asked for as much before.
+    std::rotate(job, job + 1, jobs_.end());
+  }
+  wanted_.notify_all();
+}
+
+std::vector<BackgroundPipelines::Number> BackgroundPipelines::drop_wanted() {
+  const std::scoped_lock lock(mutex_);
+  std::vector<Number> dropped;
+  for (const Job& job : std::exchange(jobs_, {})) dropped.push_back(job.number);
+  return dropped;
+}
+
+std::vector<std::pair<BackgroundPipelines::Number, ComputePipeline>> BackgroundPipelines::take() {
+  const std::scoped_lock lock(mutex_);
+  if (error_) std::rethrow_exception(error_);
+  return std::exchange(made_, {});
+}
+
+void BackgroundPipelines::wait() {
+  std::unique_lock lock(mutex_);
+  made_one_.wait(lock, [this] { return !made_.empty() || error_; });
+}
+
+bool BackgroundPipelines::pick(bool spare, Job& job) {
+  auto best = jobs_.end();
+  for (auto at = jobs_.begin(); at != jobs_.end(); ++at) {
+    if (at->urgency == Urgency::spare && !spare) continue;
+    if (at->urgency != Urgency::straight && !cache_.empty() && formats_.empty()) continue;
+    if (best == jobs_.end() || at->urgency < best->urgency) best = at;
+  }
+  if (best == jobs_.end()) return false;
+  job = std::move(*best);
+  jobs_.erase(best);
+  return true;
+}
+
+void BackgroundPipelines::rehearse(std::unique_ptr<Rehearsal>& rehearsal, const PipelineDesc& desc) {
+  std::vector<std::pair<Binding, VkFormat>> formats;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (unseen_ > kUnseenAllowed) return;
+    formats = formats_;
+  }
+  if (!rehearsal) rehearsal = std::make_unique<Rehearsal>(device_, formats);
+  const fs::file_time_type before = last_change(cache_);
+  if (rehearsal->run(desc) < kFoundSeconds) return;
+  const Clock::time_point start = Clock::now();
+  bool seen = false;
+  while (!seen && seconds_since(start) < kPatienceSeconds) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    seen = last_change(cache_) != before;
+  }
+  const std::scoped_lock lock(mutex_);
+  unseen_ = seen ? 0 : unseen_ + 1;
+  if (unseen_ == kUnseenAllowed + 1)
+    spdlog::info("kernels are compiled while the picture waits: nothing appears in {}", cache_.string());
+}
+
+void BackgroundPipelines::work(int nice, bool spare) {
+  setpriority(PRIO_PROCESS, 0, nice);  // of this thread alone: Linux counts threads as processes here
+  std::unique_ptr<Rehearsal> rehearsal;
+  Job job;
+  while (true) {
+    {
+      std::unique_lock lock(mutex_);
+      wanted_.wait(lock, [&] { return stop_ || pick(spare, job); });
+      if (stop_) return;
+    }
+    std::exception_ptr error;
+    ComputePipeline pipeline;
+    try {
+      if (job.urgency != Urgency::straight && !cache_.empty()) rehearse(rehearsal, job.desc);
+      pipeline = ComputePipeline(device_, job.desc);
+    } catch (...) {
+      error = std::current_exception();
+    }
+    {
+      const std::scoped_lock lock(mutex_);
+      if (error)
+        error_ = error;
+      else
+        made_.emplace_back(job.number, std::move(pipeline));
+    }
+    made_one_.notify_all();
+    if (arrived_) arrived_();
+    if (error) return;
+  }
+}
+
+}  // namespace vamp::gpu
