@@ -33,6 +33,7 @@ void add_bench(CLI::App& app, CommonOptions& common, Action& action) {
   add_bench_edits(*verb, common, action);
   add_bench_fit(*verb, common, action);
   add_bench_frame(*verb, common, action);
+  add_bench_kernels(*verb, common, action);
   add_bench_lights(*verb, common, action);
   add_bench_materials(*verb, common, action);
   add_bench_measured(*verb, common, action);

@@ -12,6 +12,7 @@ void add_bench_edit(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_edits(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_fit(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_frame(CLI::App& bench, CommonOptions& common, Action& action);
+void add_bench_kernels(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_lights(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_materials(CLI::App& bench, CommonOptions& common, Action& action);
 void add_bench_measured(CLI::App& bench, CommonOptions& common, Action& action);

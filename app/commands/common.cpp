@@ -7,6 +7,7 @@
 #include "app/commands/command.h"
 #include "app/version.h"
 #include "engine/gpu/device.h"
+#include "engine/render/fetch_path.h"
 
 namespace vamp {
 namespace {
@@ -24,8 +25,9 @@ std::string version_text() {
 Status print_devices() {
   VAMP_TRY(const auto devices, gpu::list_devices());
   for (const gpu::DeviceInfo& device : devices)
-    fmt::print("{}: {} ({}, {}){}\n", device.index, device.name, gpu::name_of(device.type), device.driver,
-               device.unsuitable.empty() ? "" : ", cannot serve: " + device.unsuitable);
+    fmt::print("{}: {} ({}, {}), {}\n", device.index, device.name, gpu::name_of(device.type), device.driver,
+               device.unsuitable.empty() ? "fetches through " + words_of(fetch_path(device))
+                                         : "cannot serve: " + device.unsuitable);
   return {};
 }
 
@@ -63,7 +65,9 @@ void add_help(CLI::App& app, Action& action) {
 }
 
 Result<std::unique_ptr<gpu::Device>> open_device(const CommonOptions& options) {
-  return gpu::Device::create({.device = options.device, .validate = options.validate});
+  VAMP_TRY(auto device, gpu::Device::create({.device = options.device, .validate = options.validate}));
+  tune_fetch_path(*device);
+  return device;
 }
 
 }  // namespace vamp

@@ -14,6 +14,7 @@
 #include "engine/core/files.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
+#include "engine/render/fetch_path.h"
 
 namespace vamp {
 namespace {
@@ -110,6 +111,7 @@ void Editor::start_renderer() {
     auto device = background_device(device_);
     if (!device) throw MachineError(device.error().kind, device.error().message());
     render_device_ = std::move(*device);
+    tune_fetch_path(*render_device_);
   }
   const uint64_t memory =
       options_.edit_memory < 0 ? RenderSession::kAutomaticMemory : static_cast<uint64_t>(options_.edit_memory) << 20;

@@ -1,5 +1,7 @@
 #include "engine/render/kernels.h"
 
+#include <algorithm>
+
 #include "shaders/shared/frame.h"
 #include "shaders/spirv.h"
 
@@ -104,10 +106,8 @@ const std::vector<gpu::Binding>& kernel_bindings() {
   return bindings;
 }
 
-const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
-  key = reduced(pass, key);
-  const auto found = pipelines_.find({pass, key});
-  if (found != pipelines_.end()) return found->second;
+gpu::PipelineDesc Kernels::describe(const Which& which) const {
+  const auto& [pass, key] = which;
   gpu::PipelineDesc desc;
   desc.name = name_of(pass);
   desc.spirv = pass == Pass::shade && !shade_.empty() ? shade_ : words_of(pass);
@@ -129,7 +129,72 @@ const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
                     {SPEC_LIST, key.list},
                     {SPEC_HIGHLIGHT, key.highlight},
                     {SPEC_LIGHT_SLOTS, key.light_slots}};
-  return pipelines_.emplace(std::pair(pass, key), gpu::ComputePipeline(*device_, desc)).first->second;
+  return desc;
+}
+
+void Kernels::make_in_background(std::function<void()> arrived) {
+  if (gpu::BackgroundPipelines::useful(*device_))
+    background_ = std::make_unique<gpu::BackgroundPipelines>(*device_, std::move(arrived));
+}
+
+void Kernels::bound_as(const std::vector<gpu::Bound>& bound) {
+  if (background_) background_->bound_as(kernel_bindings(), bound);
+}
+
+const Kernels::Kernel* Kernels::find(const Which& which) const {
+  const auto there = [&](const Which& w) {
+    const auto at = kernels_.find(w);
+    return at != kernels_.end() && at->second.pipeline ? &at->second : nullptr;
+  };
+  if (const Kernel* exact = there(which)) return exact;
+  return same_bits() ? there({which.first, reduced(which.first, generic(which.second))}) : nullptr;
+}
+
+const gpu::ComputePipeline& Kernels::get(Pass pass, KernelKey key) {
+  if (generic_alone_) key = generic(key);
+  const Which which{pass, reduced(pass, key)};
+  if (!background_) {
+    Kernel& kernel = kernels_[which];
+    if (!kernel.pipeline) kernel.pipeline = gpu::ComputePipeline(*device_, describe(which));
+    return kernel.pipeline;
+  }
+  collect();
+  const Kernel* found = find(which);
+  if (found == nullptr) want(pass, key, Urgency::straight);
+  for (; found == nullptr; found = find(which)) {
+    background_->wait();
+    collect();
+  }
+  return found->pipeline;
+}
+
+bool Kernels::ready(Pass pass, const KernelKey& key) const {
+  return !background_ || find({pass, reduced(pass, key)}) != nullptr;
+}
+
+void Kernels::want(Pass pass, const KernelKey& key, Urgency urgency) {
+  if (!background_) return;
+  const Which which{pass, reduced(pass, key)};
+  Kernel& kernel = kernels_[which];
+  if (kernel.pipeline) return;
+  auto number = static_cast<size_t>(std::find(asked_.begin(), asked_.end(), which) - asked_.begin());
+  if (number == asked_.size()) asked_.push_back(which);
+  // Asked for already: it may be in the making, or more urgent now.
+  if (kernel.wanted)
+    background_->raise(number, urgency);
+  else
+    background_->want(number, describe(which), urgency);
+  kernel.wanted = true;
+}
+
+void Kernels::want_nothing() {
+  if (!background_) return;
+  for (const uint64_t number : background_->drop_wanted()) kernels_[asked_[number]].wanted = false;
+}
+
+void Kernels::collect() {
+  if (!background_) return;
+  for (auto& [number, pipeline] : background_->take()) kernels_[asked_[number]].pipeline = std::move(pipeline);
 }
 
 }  // namespace vamp

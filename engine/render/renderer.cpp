@@ -5,6 +5,7 @@
 #include "engine/core/check.h"
 #include "engine/gpu/command_list.h"
 #include "engine/gpu/device.h"
+#include "engine/render/fetch_path.h"
 
 namespace vamp {
 namespace {
@@ -45,8 +46,7 @@ uint32_t groups(uint32_t side, uint32_t stride = 1) { return (side + 8 * stride 
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, std::span<const uint32_t> shade) : device_(&device), kernels_(device, shade) {
-  // Measured: texel buffers are nearly twice as fast on lavapipe before Mesa 25, storage buffers elsewhere.
-  key_.storage_fetch = !(device.info().is_lavapipe && device.info().driver_major < 25);
+  key_.storage_fetch = fetch_path(device.info()).storage;
   gpu_.params = gpu::TypedBuffer<frame::FrameParams>(device, "frame", 1);
 }
 
@@ -112,7 +112,9 @@ std::vector<gpu::Bound> Renderer::bound_tables() const {
 
 void Renderer::make_descriptor_set() {
   weights_.reset();
-  set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound_tables());
+  const std::vector<gpu::Bound> bound = bound_tables();
+  set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound);
+  kernels_.bound_as(bound);
 }
 
 uint32_t Renderer::samples() const {
@@ -123,7 +125,8 @@ uint32_t Renderer::next_batch(uint32_t samples, uint32_t limit) const {
   if (samples >= limit) return 0;
   // The first hit's samples come one by one, so that something is seen soon.
   const bool whole_hit = samples >= SAMPLES_PER_HIT && samples % SAMPLES_PER_HIT == 0 &&
-                         limit - samples >= SAMPLES_PER_HIT && batches_fit();
+                         limit - samples >= SAMPLES_PER_HIT && batches_fit() &&
+                         kernels_there(false, true, SAMPLES_PER_HIT);
   return whole_hit ? SAMPLES_PER_HIT : 1;
 }
 
@@ -197,7 +200,8 @@ uint64_t Renderer::replay(uint32_t most) {
   const uint32_t done = replay_.done();
   // Of a long list the first hit's samples come one by one, too: that picture is there in half the time.
   const bool soon = done == 0 && step.pixels > kLongList;
-  const bool whole_hit = !soon && done % SAMPLES_PER_HIT == 0 && step.limit - done >= SAMPLES_PER_HIT && batches_fit();
+  const bool whole_hit = !soon && done % SAMPLES_PER_HIT == 0 && step.limit - done >= SAMPLES_PER_HIT &&
+                         batches_fit() && kernels_there(true, !hit_is_stored(done), SAMPLES_PER_HIT);
   const uint32_t batch = whole_hit ? SAMPLES_PER_HIT : 1;
   frame::TilePush push{};
   push.x = replay_at_;
@@ -220,8 +224,10 @@ uint64_t Renderer::prepare_replay() {
   frame::TilePush push{};
   push.height = 1;
   push.stride = 1;
-  uint64_t value = submit_batch(push, true, false, 1, set_);
-  if (batches_fit()) value = submit_batch(push, true, false, SAMPLES_PER_HIT, set_);
+  uint64_t value = device_->last_submitted();
+  if (kernels_there(true, false, 1)) value = submit_batch(push, true, false, 1, set_);
+  if (batches_fit() && kernels_there(true, false, SAMPLES_PER_HIT))
+    value = submit_batch(push, true, false, SAMPLES_PER_HIT, set_);
   return value;
 }
 

@@ -3,6 +3,7 @@
 // interactive session and the command line both stand on it, so that they give the same bytes.
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,13 +31,6 @@ struct Change {
   uint64_t bytes = 0;         // sent to the device
 };
 
-// Where more lights than `above` are on, a sample traces rays to so many of them, drawn by chance
-// (shaders/lib/light_choice.glsl), instead of a ray to each.
-struct LightDraws {
-  size_t above = 3;
-  uint32_t slots = 2;
-};
-
 class Renderer {
  public:
   // `shade`: see Kernels.
@@ -49,6 +43,20 @@ class Renderer {
   // Memory for the sums of weights at hand, in bytes; weights that do not fit are shaded again.
   void set_weight_memory(uint64_t bytes) { weight_bytes_ = bytes; }
 
+  // From now on kernels are made beside the queue: a picture goes on with generic ones, or sample by sample, until the
+  // right ones are there; which gives the same bytes. `arrived` is called on another thread whenever a kernel is there.
+  // Nothing where it is of no use on this device. Before set_project().
+  void make_kernels_in_background(std::function<void()> arrived) { kernels_.make_in_background(std::move(arrived)); }
+  // See Kernels.
+  void use_generic_kernels_alone() { kernels_.use_generic_alone(); }
+  // Those that have arrived, from now on.
+  void take_kernels() { kernels_.collect(); }
+  // Whether a picture of the project could be begun without waiting for kernels; if not, they are wanted from now on.
+  // Of the first project always.
+  bool has_kernels_for(const Project& project);
+
+  // Instead of the device's fetch_path(). Before set_project().
+  void set_storage_fetch(bool storage) { key_.storage_fetch = storage; }
   // Another way of drawing lights, for measurements. Before set_project().
   void set_light_draws(const LightDraws& draws) { draws_ = draws; }
 
@@ -161,6 +169,9 @@ class Renderer {
   void recombine(const std::vector<double>& steps, Change& change);
   std::vector<gpu::Bound> bound_tables() const;
   bool batches_fit() const;
+  bool kernels_there(bool list_of_pixels, bool trace, uint32_t batch) const;
+  bool kernels_there_to_replay() const;
+  void want_kernels(bool first);
   vec3 plane_emission(uint32_t plane) const;
   void make_picture();
   void make_descriptor_set();
@@ -168,6 +179,7 @@ class Renderer {
   bool geometry_differs(const Project& now) const;
   bool materials_differ(const Project& now) const;
   bool lights_moved(const Project& now) const;
+  bool shades_again(const Project& now) const;
 
   gpu::Device* device_;
   Kernels kernels_;
@@ -176,6 +188,7 @@ class Renderer {
   MaterialTables material_tables_;
   std::vector<frame::PartRow> part_rows_;
   LightDraws draws_;
+  KernelKeys keys_;
   std::vector<size_t> lights_;  // which of the project's lights are traced
   GpuScene gpu_;
   KernelKey key_;

@@ -32,8 +32,6 @@ std::vector<bool> visible_parts(const Project& project) {
 
 uint32_t highlight_code(const frame::PartRow& row) { return row.flags >> PART_HIGHLIGHT_SHIFT; }
 
-bool any_lit(const Project& project) { return project.ambient != vec3(0); }
-
 }  // namespace
 
 bool Renderer::geometry_differs(const Project& now) const {
@@ -174,25 +172,11 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   }
 
   // What the kernels are specialised for.
-  KernelKey key = key_;
-  key.light_count = static_cast<uint32_t>(lights_.size());
-  key.light_slots = lights_.size() > draws_.above ? draws_.slots : 0;
-  key.light_types = 0;
-  for (const size_t i : lights_) key.light_types |= 1u << static_cast<uint32_t>(now.lights[i].type);
-  key.environment = now.environment.map != nullptr;
-  key.ambient = any_lit(now) || (key.light_count == 0 && !key.environment);
-  key.mirror = std::any_of(now.parts.begin(), now.parts.end(),
-                           [](const PartState& part) { return part.visible && part.mirror_f0 > 0; });
-  key.highlight = false;
-  for (size_t i = 0; i < rows.size(); ++i) key.highlight |= now.parts[i].visible && highlight_code(rows[i]) != 0;
-  key.alpha_mask = !scene_tables_->alpha.empty();
-  key.residual = residual_in_view(now);
-  key.lobe_models = lobe_models_in_view(now);
-  key.four_taps = now.settings.tap == TexelTap::four;
-  key.pixel_centres = now.settings.pixel_centres;
+  KernelKey key = keys_.key_of(now, draws_);
+  key.storage_fetch = key_.storage_fetch;
   const bool new_picture = key.planes() != key_.planes() || key.mirror != key_.mirror || !hits_;
   if (new_picture) VAMP_CHECK_STATUS(sums_fit(key.planes(), region_.width, region_.height));
-  // Kernels that are specialised for other ways of shading may round differently, so all pixels go through the same
+  // Kernels that are specialised for other ways of shading may round differently; then all pixels go through the same
   // one.
   KernelKey same_rays = key;
   same_rays.residual = key_.residual;
@@ -200,9 +184,10 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   same_rays.four_taps = key_.four_taps;
   if (same_rays != key_)
     restart("what the scene needs");
-  else if (key != key_)
+  else if (key.four_taps != key_.four_taps || (key != key_ && !kernels_.same_bits()))
     reshade(~0u, "how texels are blended");
-  key_ = key;
+  const bool first = !project_;
+  const bool other_kernels = std::exchange(key_, key) != key || first;
 
   if (project_) {
     if (now.camera != project_->camera) {
@@ -219,6 +204,9 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     if (now.environment.map && dimmed && (now.environment.visible || key.mirror)) restart("environment");
     if (key.mirror && now.background != project_->background) restart("background");
   }
+  // What no kernel is there for starts again.
+  const bool replays = touched != 0 && region_.width > 0 && !(weights_alone && steps);
+  if (replays && !kernels_there_to_replay()) change.restarted = true;
   const frame::FrameParams before = params_;
   project_ = std::move(next);
   if (region_.width > 0) {
@@ -242,6 +230,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
       begin_replay(touched, change);
     }
   }
+  if (other_kernels) want_kernels(first);
   if (!change.restarted && std::memcmp(&before, &params_, sizeof(before)) != 0) change.recomposed = true;
   return change;
 }

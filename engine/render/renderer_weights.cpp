@@ -59,7 +59,8 @@ std::optional<WeightSums::Step> Renderer::next_weight_step(bool tints) const {
       // What has no place of its own would be traced over a hit that the picture still wants.
       if (!hit_is_stored(step.base) && samples_[t] % SAMPLES_PER_HIT != 0) return std::nullopt;
     }
-    const bool whole_hit = step.base % SAMPLES_PER_HIT == 0 && least >= SAMPLES_PER_HIT && batches_fit();
+    const bool whole_hit = step.base % SAMPLES_PER_HIT == 0 && least >= SAMPLES_PER_HIT && batches_fit() &&
+                           kernels_there(true, !hit_is_stored(step.base), SAMPLES_PER_HIT);
     if (!hit_is_stored(step.base) && !whole_hit) return std::nullopt;
     step.batch = whole_hit ? SAMPLES_PER_HIT : 1;
     return step;
@@ -69,6 +70,7 @@ std::optional<WeightSums::Step> Renderer::next_weight_step(bool tints) const {
 
 bool Renderer::wants_weights(bool tints) const {
   if (at_hand_.rows.empty() || replaying() || region_.width == 0 || samples() < SAMPLES_PER_HIT) return false;
+  if (!kernels_there_to_replay() || !kernels_.ready(Pass::recombine, key_)) return false;
   return !weights_ || weights_->step || next_weight_step(tints);
 }
 

@@ -24,14 +24,22 @@ uint32_t quantise(float value, uint32_t steps) {
   return static_cast<uint32_t>(std::lround((glm::clamp(value, -1.0f, 1.0f) * 0.5f + 0.5f) * static_cast<float>(steps)));
 }
 
+// The picture whose alpha channel is a part's mask, if it has one.
+const Image* mask_of(const Scene& scene, const Part& part) {
+  const int texture = part.material.base_color_texture.texture;
+  if (part.material.alpha_mode == AlphaMode::opaque || texture < 0) return nullptr;
+  const Image* image = scene.textures[static_cast<size_t>(texture)].image.get();
+  return image->channel("A") ? image : nullptr;
+}
+
 // The alpha channel of a part's base-colour texture, 8 bits.
 void append_alpha(const Scene& scene, const Part& part, SceneTables& tables) {
   const TextureSlot& slot = part.material.base_color_texture;
   tables.alpha_of_part.push_back({0, 0});
-  if (part.material.alpha_mode == AlphaMode::opaque || slot.texture < 0) return;
-  const Image& image = *scene.textures[static_cast<size_t>(slot.texture)].image;
+  const Image* mask = mask_of(scene, part);
+  if (mask == nullptr) return;
+  const Image& image = *mask;
   const auto channel = image.channel("A");
-  if (!channel) return;
   if (slot.scale != vec2(1, 1) || slot.offset != vec2(0, 0) || slot.rotation != 0)
     spdlog::warn("part \"{}\": the texture transform of its alpha mask is left out", part.name);
   tables.alpha_of_part.back() = {static_cast<uint32_t>(tables.alpha.size()),
@@ -43,6 +51,11 @@ void append_alpha(const Scene& scene, const Part& part, SceneTables& tables) {
 }
 
 }  // namespace
+
+bool has_alpha_mask(const Scene& scene) {
+  return std::any_of(scene.parts.begin(), scene.parts.end(),
+                     [&](const Part& part) { return mask_of(scene, part) != nullptr; });
+}
 
 uint32_t pack_normal(const vec3& n) {
   const vec2 p = octahedral(n);

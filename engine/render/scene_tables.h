@@ -18,6 +18,9 @@ struct SceneTables {
 // `visible` says for each part whether its triangles are there.
 SceneTables build_scene_tables(const Scene& scene, const std::vector<bool>& visible);
 
+// Whether some part has an alpha mask, visible or not.
+bool has_alpha_mask(const Scene& scene);
+
 // Octahedral unit vectors, 16 bits a component; within 4e-5 rad.
 uint32_t pack_normal(const vec3& n);
 // 16 and 15 bits; the lowest bit says that the bitangent is flipped.

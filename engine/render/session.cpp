@@ -31,7 +31,8 @@ constexpr uint32_t kReplaySamples = 1u << 16;
 
 class RenderSession::Impl {
  public:
-  Impl(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height, uint64_t edit_memory)
+  Impl(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height, uint64_t edit_memory,
+       Kernels kernels)
       : device_(device), renderer_(device), next_project_(std::move(project)), next_size_(ivec2(width, height)) {
     status_.device = device.info().name;
     constexpr uint64_t kAll = kHistoryBytes + kWeightBytes;
@@ -39,6 +40,12 @@ class RenderSession::Impl {
     const uint64_t history = edit_memory / kAll * kHistoryBytes + edit_memory % kAll * kHistoryBytes / kAll;
     renderer_.set_history(history);
     renderer_.set_weight_memory(edit_memory - history);
+    if (kernels == Kernels::in_background)
+      renderer_.make_kernels_in_background([this] {
+        const std::lock_guard lock(mutex_);
+        kernels_arrived_ = true;
+        wake_.notify_all();
+      });
     thread_ = std::thread([this] { run(); });
   }
 
@@ -140,24 +147,32 @@ class RenderSession::Impl {
 
   // One round: take over what was asked for, refine one tile, show it. False: stop.
   bool step() {
-    std::shared_ptr<const Project> project;
+    std::shared_ptr<const Project> offered, project;
     std::optional<ivec2> size;
     std::optional<WeightGroup> group;
     std::string reason;
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [&] {
-        return stop_ || lose_device_ || next_project_ || next_size_ || next_group_ ||
+        const bool offers = next_project_ && next_project_ != waits_for_kernels_;
+        return stop_ || lose_device_ || offers || next_size_ || next_group_ || kernels_arrived_ ||
                (!refused_ && (busy_.load() || (!paused_ && !finished_.load())));
       });
       if (stop_) return false;
       if (lose_device_) throw MachineError(ErrorKind::device_lost, "the device was lost on request");
-      // A drag sends edits faster than a large material is shaded: each of them gets its first whole picture.
-      const bool hold = owes_picture_ && renderer_.replaying() && !next_size_;
-      if (!hold) project = std::exchange(next_project_, nullptr);
+      kernels_arrived_ = false;
+      offered = next_project_;
       size = std::exchange(next_size_, std::nullopt);
       group = std::exchange(next_group_, std::nullopt);
-      if (!hold) reason = std::exchange(next_reason_, "");
+    }
+    renderer_.take_kernels();
+    if (offered && may_take(offered, size.has_value())) {
+      const std::lock_guard lock(mutex_);
+      // A newer one is looked at in the next round.
+      if (next_project_ == offered) {
+        project = std::exchange(next_project_, nullptr);
+        reason = std::exchange(next_reason_, "");
+      }
     }
     while (readers_.load() > 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
     const std::lock_guard lock(renderer_mutex_);
@@ -169,6 +184,15 @@ class RenderSession::Impl {
     const std::lock_guard state(mutex_);
     status_.weights_at_hand = renderer_.weights_ready();
     return true;
+  }
+
+  bool may_take(const std::shared_ptr<const Project>& project, bool resized) {
+    // A drag sends edits faster than a large material is shaded: each of them gets its first whole picture.
+    if (owes_picture_ && renderer_.replaying() && !resized) return false;
+    // Until its kernels are there, the picture before goes on.
+    const bool has_kernels = renderer_.has_kernels_for(*project);
+    waits_for_kernels_ = has_kernels ? nullptr : project;
+    return has_kernels;
   }
 
   // What is most wanted, a tile or some 10 ms of it.
@@ -392,6 +416,11 @@ class RenderSession::Impl {
 
   gpu::Device& device_;
 
+  // They outlive the renderer, whose kernels arrive on threads of their own.
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool kernels_arrived_ = false;
+
   // The renderer: used by the render thread, and by readers between two tiles.
   mutable std::mutex renderer_mutex_;
   mutable std::atomic<int> readers_{0};
@@ -401,15 +430,14 @@ class RenderSession::Impl {
   bool owes_picture_ = false;  // of the last edit, all of it
   bool pass_whole_ = true;     // pass_start_ was at its first tile
   bool ids_stale_ = true;
+  std::shared_ptr<const Project> waits_for_kernels_;
   KernelKey prepared_;  // for which replay's kernels are compiled
   double coverage_ = 1;
   Goal goal_;
   std::deque<double> pass_ms_;
   Clock::time_point start_ = Clock::now(), pass_start_ = start_;
 
-  // What was asked for, and what is told.
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
+  // What was asked for, and what is told; guarded by mutex_.
   std::shared_ptr<const Project> next_project_;
   std::optional<ivec2> next_size_;
   std::optional<WeightGroup> next_group_;
@@ -427,8 +455,8 @@ class RenderSession::Impl {
 };
 
 RenderSession::RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height,
-                             uint64_t edit_memory)
-    : impl_(std::make_unique<Impl>(device, std::move(project), width, height, edit_memory)) {}
+                             uint64_t edit_memory, Kernels kernels)
+    : impl_(std::make_unique<Impl>(device, std::move(project), width, height, edit_memory, kernels)) {}
 RenderSession::~RenderSession() = default;
 
 void RenderSession::set_project(std::shared_ptr<const Project> project, std::string reason) {

@@ -41,11 +41,14 @@ struct RenderStatus {
 
 class RenderSession {
  public:
+  // Where kernels are made: beside the picture, which goes on meanwhile, or on its queue at first use, for
+  // measurements.
+  enum class Kernels { in_background, on_queue };
   // `edit_memory`: bytes for what edits are answered from, stored hits and sums of weights; 0: edits are traced again.
   // kAutomaticMemory: a sixteenth of the device's memory, at most 416 MiB.
   static constexpr uint64_t kAutomaticMemory = ~uint64_t{0};
   RenderSession(gpu::Device& device, std::shared_ptr<const Project> project, int width, int height,
-                uint64_t edit_memory = kAutomaticMemory);
+                uint64_t edit_memory = kAutomaticMemory, Kernels kernels = Kernels::in_background);
   ~RenderSession();
   RenderSession(const RenderSession&) = delete;
   RenderSession& operator=(const RenderSession&) = delete;
