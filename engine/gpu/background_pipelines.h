@@ -24,7 +24,7 @@ class Device;
 class BackgroundPipelines {
  public:
   enum class Urgency {
-    straight,  // at once, and nothing else is on the queue: not rehearsed
+    straight,  // at once, and nothing else is on the queue: not rehearsed; wait() makes one itself
     at_once,   // somebody waits for it
     soon,
     spare,  // by a thread of low priority alone
