@@ -29,6 +29,8 @@ Status recolour(const Options& options, const CommonOptions& common) {
   if (change.from != vec3(1)) change.staying.emplace_back(1);
   for (const std::string& text : options.keep) {
     VAMP_TRY(const vec3 colour, colour_option(text, "--keep"));
+    if (colour == change.from)
+      return fail(ErrorKind::usage, "", "--keep", "another colour than the one that goes (--from)", text);
     change.staying.push_back(colour);
   }
   VAMP_TRY(Preset preset, load_preset(options.input));

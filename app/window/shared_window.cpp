@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <sys/ipc.h>
 #include <sys/shm.h>
+#include <sys/socket.h>
 #include <xcb/shm.h>
 #include <xcb/xcb.h>
 
@@ -24,6 +25,14 @@ xcb_window_t x11_window(GLFWwindow* window) {
   void* const symbol = dlsym(RTLD_DEFAULT, "glfwGetX11Window");
   if (symbol == nullptr) return XCB_NONE;
   return static_cast<xcb_window_t>(reinterpret_cast<unsigned long (*)(GLFWwindow*)>(symbol)(window));
+}
+
+// A server elsewhere might take memory of its own machine for ours.
+bool is_on_this_machine(xcb_connection_t* connection) {
+  sockaddr_storage peer{};
+  socklen_t size = sizeof(peer);
+  const int socket = xcb_get_file_descriptor(connection);
+  return getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &size) == 0 && peer.ss_family == AF_UNIX;
 }
 
 bool is_rgb(const xcb_setup_t& setup, const xcb_get_window_attributes_reply_t& about, int depth) {
@@ -88,6 +97,7 @@ std::unique_ptr<SharedWindow> SharedWindow::open(GLFWwindow* window) {
   state->window = x11_window(window);
   if (xcb_connection_has_error(state->connection) != 0 || state->window == XCB_NONE) return nullptr;
   xcb_connection_t* const c = state->connection;
+  if (!is_on_this_machine(c)) return nullptr;
   const xcb_query_extension_reply_t* const shm = xcb_get_extension_data(c, &xcb_shm_id);
   const auto about = owned(xcb_get_window_attributes_reply(c, xcb_get_window_attributes(c, state->window), nullptr));
   const auto geometry = owned(xcb_get_geometry_reply(c, xcb_get_geometry(c, state->window), nullptr));
@@ -98,7 +108,7 @@ std::unique_ptr<SharedWindow> SharedWindow::open(GLFWwindow* window) {
   state->context = xcb_generate_id(c);
   xcb_create_gc(c, state->context, state->window, 0, nullptr);
   auto made = std::unique_ptr<SharedWindow>(new SharedWindow(std::move(state)));
-  // A server elsewhere says only now that it shares no memory with us.
+  // A server in a container of its own says only now that it shares no memory with us.
   if (!made->resize(1, 1)) return nullptr;
   return made;
 }
@@ -116,6 +126,7 @@ bool SharedWindow::resize(int width, int height) {
   const bool theirs = !owned(xcb_request_check(s.connection, attached)) && xcb_connection_has_error(s.connection) == 0;
   shmctl(id, IPC_RMID, nullptr);  // gone once both sides have let go of it
   if (ours && !theirs) shmdt(memory);
+  if (!ours && theirs) xcb_shm_detach(s.connection, s.segment);
   if (!ours || !theirs) return false;
   s.memory = memory;
   s.width = width;

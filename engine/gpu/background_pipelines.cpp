@@ -182,16 +182,28 @@ void BackgroundPipelines::rehearse(std::unique_ptr<Rehearsal>& rehearsal, const 
     if (unseen_ > kUnseenAllowed) return;
     formats = formats_;
   }
-  if (!rehearsal) rehearsal = std::make_unique<Rehearsal>(device_, formats);
   const fs::file_time_type before = last_change(cache_);
-  if (rehearsal->run(desc)) return;
+  try {
+    if (!rehearsal) rehearsal = std::make_unique<Rehearsal>(device_, formats);
+    if (rehearsal->run(desc)) return;
+  } catch (const MachineError& error) {
+    // No memory for a second device, say: the first one does without.
+    spdlog::info("kernels are compiled while the picture waits: {}", error.what());
+    rehearsal.reset();
+    const std::scoped_lock lock(mutex_);
+    unseen_ = kUnseenAllowed + 1;
+    return;
+  }
   const Clock::time_point start = Clock::now();
-  bool seen = false;
-  while (!seen && seconds_since(start) < kPatienceSeconds) {
+  bool seen = false, stopped = false;
+  while (!seen && !stopped && seconds_since(start) < kPatienceSeconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(3));
     seen = last_change(cache_) != before;
+    const std::scoped_lock lock(mutex_);
+    stopped = stop_;
   }
   const std::scoped_lock lock(mutex_);
+  if (stopped) return;
   unseen_ = seen ? 0 : unseen_ + 1;
   if (unseen_ == kUnseenAllowed + 1)
     spdlog::info("kernels are compiled while the picture waits: nothing appears in {}", cache_.string());

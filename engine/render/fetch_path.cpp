@@ -143,7 +143,13 @@ void tune_fetch_path(gpu::Device& device) {
   // Of a driver that was replaced nothing is kept.
   std::erase_if(all, [&](const Remembered& one) { return one.device == device.info().name; });
   if (all.size() >= kMaxDevices) all.erase(all.begin());
-  all.push_back(measure(device));
+  try {
+    all.push_back(measure(device));
+  } catch (const MachineError& error) {
+    // What is assumed then serves as well.
+    spdlog::debug("{}", error.what());
+    return;
+  }
   if (const Status written = write_devices(all); !written) spdlog::debug("{}", written.error().message());
 }
 

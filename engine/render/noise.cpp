@@ -33,7 +33,6 @@ void NoiseEstimate::restart(std::span<const Region> tiles, int width) {
   tiles_.clear();
   for (const Region& area : tiles) tiles_.push_back({.area = area});
   width_ = width;
-  rate_ = 2;
   luminance_.clear();
 }
 
@@ -74,23 +73,12 @@ void NoiseEstimate::add(std::span<const uint32_t> samples_of_tiles, const std::v
     }
     tile.shown = samples;
   }
-  find_rate();
-}
-
-void NoiseEstimate::find_rate() {
-  double now = 0, before = 0;
-  for (const Tile& tile : tiles_) {
-    if (tile.d2_before == 0) continue;
-    const double area = static_cast<double>(tile.area.width) * tile.area.height;
-    now += area * tile.d2;
-    before += area * tile.d2_before;
-  }
-  rate_ = now > 0 ? std::clamp(before / now, 2.0, 4.0) : 2.0;
 }
 
 double NoiseEstimate::squared_error(const Tile& tile, uint32_t samples) const {
+  const double r = tile.d2 > 0 ? std::clamp(tile.d2_before / tile.d2, 2.0, 4.0) : 2.0;
   const double doublings = std::log2(static_cast<double>(samples) / tile.compared);
-  return tile.d2 / (rate_ - 1) * std::pow(rate_, -doublings);
+  return tile.d2 / (r - 1) * std::pow(r, -doublings);
 }
 
 float NoiseEstimate::of_tile(size_t tile, uint32_t samples) const {

@@ -12,9 +12,8 @@ namespace vamp {
 // difference is d = (b - a) / 2 and the error of the whole e = (a + b) / 2, so that d^2 + e^2 is the squared error at
 // n / 2 in the mean, however the halves depend on each other: those of scrambled Sobol points complement each other,
 // and d alone would over-estimate. If the squared error falls by a factor r with each doubling, so does d^2, and e^2 =
-// d^2 / (r - 1); r is taken from the last two comparisons of all tiles together, between 2 (independent samples) and 4: a
-// tile's own is so uncertain that cutting it at 2 makes it too large in the mean. Errors are relative as in relMSE:
-// sqrt(mean(error^2 / (luminance^2 + 0.01))).
+// d^2 / (r - 1); r is taken from the last two comparisons, between 2 (independent samples) and 4. Errors are relative
+// as in relMSE: sqrt(mean(error^2 / (luminance^2 + 0.01))).
 class NoiseEstimate {
  public:
   // Nothing is known; tiles of a picture of this width.
@@ -41,11 +40,9 @@ class NoiseEstimate {
   };
   static bool due(const Tile& tile, uint32_t samples);
   double squared_error(const Tile& tile, uint32_t samples) const;
-  void find_rate();
 
   std::vector<Tile> tiles_;
   int width_ = 0;
-  double rate_ = 2;  // r
   std::vector<float> luminance_;
 };
 

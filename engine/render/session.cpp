@@ -165,6 +165,7 @@ class RenderSession::Impl {
       size = std::exchange(next_size_, std::nullopt);
       group = std::exchange(next_group_, std::nullopt);
     }
+    // Kernels are not for readers of the picture: no lock.
     renderer_.take_kernels();
     if (offered && may_take(offered, size.has_value())) {
       const std::lock_guard lock(mutex_);

@@ -62,7 +62,7 @@ class RenderSession {
   void set_weights_at_hand(const WeightGroup& group);
 
   // Called on the render thread whenever the picture shows for the first time what was asked for last: an edit, a view,
-  // a size. To be set before anything is asked for; it must not call the session.
+  // a size; what is answered before this is set is not told. It must not call the session.
   void when_answered(std::function<void()> answered);
 
   // As if the device were lost at the next tile, for tests.
