@@ -30,6 +30,7 @@ class Bench {
     spdlog::info("edits of the picture");
     VAMP_TRY(const auto window, open("edits", options_.samples));
     VAMP_CHECK_STATUS(window->fit_viewport(kWidth, kHeight));
+    VAMP_CHECK_STATUS(wait_until_idle(*window));
     const Spmm& fit = *project_.materials[static_cast<size_t>(material_)].fit;
     VAMP_CHECK_STATUS(window->select(part_, static_cast<int>(fit.clusters.size() / 2)));
     VAMP_TRY(const std::string roughness, select_function(*window, fit));
@@ -55,6 +56,7 @@ class Bench {
     spdlog::info("a resting and a busy window");
     {
       VAMP_TRY(const auto window, open("resting", kFewSamples));
+      VAMP_CHECK_STATUS(wait_until_idle(*window));
       VAMP_TRY(found_.resting, processor_share(*window, 10));
     }
     VAMP_TRY(const auto window, open("busy", kEndless));

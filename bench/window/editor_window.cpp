@@ -14,7 +14,9 @@ constexpr int kPatience = 64;  // steps of a key, notches of the wheel
 void breathe() { std::this_thread::sleep_for(std::chrono::milliseconds(120)); }
 
 std::vector<std::string> variables(const fs::path& home, const std::string& display) {
-  std::vector<std::string> all{"DISPLAY=" + display, "WAYLAND_DISPLAY=", "HOME=" + home.string()};
+  // One driver's cache for all windows: the others start as a program does that was there before.
+  std::vector<std::string> all{"DISPLAY=" + display, "WAYLAND_DISPLAY=", "HOME=" + home.string(),
+                               "MESA_SHADER_CACHE_DIR=" + home.parent_path().string()};
   for (const char* const kind : {"CONFIG", "STATE", "DATA", "CACHE"})
     all.push_back(fmt::format("XDG_{}_HOME={}", kind, (home / kind).string()));
   return all;

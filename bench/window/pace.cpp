@@ -77,4 +77,14 @@ Result<double> processor_share(EditorWindow& window, double seconds) {
   return (after - before) / seconds_since(start);
 }
 
+Status wait_until_idle(EditorWindow& window) {
+  constexpr double kIdle = 0.05, kPatienceSeconds = 120;
+  const auto start = Clock::now();
+  while (seconds_since(start) < kPatienceSeconds) {
+    VAMP_TRY(const double share, processor_share(window, 2));
+    if (share < kIdle) break;
+  }
+  return {};
+}
+
 }  // namespace vamp

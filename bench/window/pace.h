@@ -17,6 +17,10 @@ struct Pace {
 // a second are drawn, or moves without pause; in turn, several times.
 Result<std::vector<Pace>> measure_paces(EditorWindow& window);
 
+// Waits until the picture is finished and the kernels that may be wanted later are made, at most two minutes. The
+// driver keeps them: that is how the window is from its second start on.
+Status wait_until_idle(EditorWindow& window);
+
 // Share of a core that the program takes over some seconds, once its picture is finished.
 Result<double> processor_share(EditorWindow& window, double seconds);
 
