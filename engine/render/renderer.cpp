@@ -15,8 +15,8 @@ constexpr uint32_t kAovLayers = 3;
 // With more shadow rays a batch of four would spill the kernels' registers, and walk more than lavapipe lets a kernel.
 constexpr uint32_t kMaxRaysOfBatch = 16;
 
-// Pixels of which four samples each take longer than an edit should: some 20 ms on two cores of lavapipe.
-constexpr uint32_t kLongList = 1u << 15;
+// Pixels of which four samples each take some 3 ms on two cores of lavapipe; one each takes half.
+constexpr uint32_t kLongList = 1u << 12;
 
 std::vector<Region> tiles_from_the_middle(int width, int height) {
   std::vector<Region> tiles;
