@@ -3,7 +3,7 @@
 #include "bench/rays_shared.h"
 #include "engine/core/check.h"
 #include "engine/gpu/device.h"
-#include "engine/render/renderer.h"
+#include "engine/render/fetch_path.h"
 #include "shaders/spirv.h"
 
 namespace vamp {
@@ -31,7 +31,7 @@ const std::vector<gpu::Binding>& ray_bindings() {
 Result<GpuTree> GpuTree::make(gpu::Device& device, const Scene& scene) {
   GpuTree tree;
   const SceneTables tables = build_scene_tables(scene, std::vector<bool>(scene.parts.size(), true));
-  tree.storage_fetch = Renderer(device).key().storage_fetch;
+  tree.storage_fetch = fetch_path(device.info()).storage;
   VAMP_TRY(const uint64_t bytes, tree.tables.send_scene(device, tables, tree.storage_fetch));
   static_cast<void>(bytes);
   frame::FrameParams params{};

@@ -387,20 +387,8 @@ class RenderSession::Impl {
   }
 
   void update_ids() {
-    const std::vector<float> layers = renderer_.aov_layers(renderer_.render_aov());
-    const ivec2 size(renderer_.region().width, renderer_.region().height);
-    const size_t pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
-    std::vector<uint32_t> ids(pixels);
-    size_t covered = 0;
-    for (size_t i = 0; i < pixels; ++i) {
-      const float part = layers[4 * (pixels + i) + 2], cluster = layers[4 * (pixels + i) + 3];
-      if (part < 0) continue;
-      ++covered;
-      ids[i] = (static_cast<uint32_t>(part) + 1) | static_cast<uint32_t>(cluster + 1) << 16;
-    }
-    coverage_ = static_cast<double>(covered) / static_cast<double>(pixels);
+    coverage_ = shown_.draw_ids(renderer_);
     ids_stale_ = false;
-    shown_.set_ids(std::move(ids));
   }
 
   void show_all(uint64_t value) { shown_.show_all(renderer_, value); }

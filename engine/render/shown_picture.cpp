@@ -70,9 +70,21 @@ void ShownPicture::forget_ids() {
   if (!ids_.pixels.empty()) replace(ids_, {});
 }
 
-void ShownPicture::set_ids(std::vector<uint32_t> ids) {
+double ShownPicture::draw_ids(Renderer& renderer) {
+  const std::vector<float> layers = renderer.aov_layers(renderer.render_aov());
+  const Region& region = renderer.region();
+  const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+  std::vector<uint32_t> ids(pixels);
+  size_t covered = 0;
+  for (size_t i = 0; i < pixels; ++i) {
+    const float part = layers[4 * (pixels + i) + 2], cluster = layers[4 * (pixels + i) + 3];
+    if (part < 0) continue;
+    ++covered;
+    ids[i] = (static_cast<uint32_t>(part) + 1) | static_cast<uint32_t>(cluster + 1) << 16;
+  }
   const std::lock_guard lock(mutex_);
   replace(ids_, std::move(ids));
+  return static_cast<double>(covered) / static_cast<double>(pixels);
 }
 
 void ShownPicture::set_restarted(const std::vector<uint32_t>& pixels) {
