@@ -227,6 +227,10 @@ void Editor::frame() {
   if (ImGui::GetFrameCount() <= 2) tell_time("frame of the window");
 }
 
+void Editor::shown() {
+  if (session_) session_->picture_shown(picture_.version());
+}
+
 double Editor::wake_after() const {
   if (options_.frames > 0 && told_first_picture_) return 0;
   double wait = ui::take_frame_request();

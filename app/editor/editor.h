@@ -33,6 +33,7 @@ class Editor {
 
   // The window's hooks.
   void frame();
+  void shown();
   double wake_after() const;
   void close_wanted();
   void dropped(const std::vector<std::string>& paths);

@@ -70,6 +70,7 @@ Status run_editor(const EditorOptions& options) {
   window::Hooks hooks;
   hooks.rescale = ui::apply_theme;
   hooks.frame = [&] { editor->frame(); };
+  hooks.shown = [&] { editor->shown(); };
   hooks.wake_after = [&] { return editor->wake_after(); };
   hooks.close_wanted = [&] { editor->close_wanted(); };
   hooks.dropped = [&](const std::vector<std::string>& paths) { editor->dropped(paths); };

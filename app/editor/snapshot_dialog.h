@@ -20,7 +20,8 @@ class SnapshotDialog {
   // `device`: the snapshot is rendered on a queue of its own of the same device, so that the window stays fluent.
   SnapshotDialog(gpu::Device& device, ui::FileDialog& files, JobQueue& jobs);
 
-  // `project` as it is now is what is rendered; the viewport's size is the first offer, with no fewer samples than it has.
+  // `project` as it is now is what is rendered; the viewport's size is the first offer, with no fewer samples than it
+  // has.
   void open(std::shared_ptr<const Project> project, int viewport_width, int viewport_height, uint32_t viewport_samples);
   // The last choices again, without asking.
   void repeat(std::shared_ptr<const Project> project);

@@ -37,6 +37,7 @@ struct WindowOptions {
 // What the loop calls. All on the thread of run().
 struct Hooks {
   std::function<void()> frame;         // ImGui calls, between NewFrame and Render
+  std::function<void()> shown;         // the frame has gone to the screen
   std::function<double()> wake_after;  // seconds until the next frame without any event; asked after each frame
   std::function<void(float)> rescale;  // fonts and sizes for this scale; called first of all and on changes
   std::function<void()> close_wanted;  // the user asked to close; call quit() to do so. Empty: quits

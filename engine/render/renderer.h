@@ -158,6 +158,7 @@ class Renderer {
   std::vector<uint32_t> pixels_that_see(uint32_t clusters, const std::vector<bool>& tiles) const;
   bool hit_is_stored(uint32_t sample) const { return sample / SAMPLES_PER_HIT + 1 < history_; }
   void make_weight_sums();
+  void forget_weights();
   std::optional<WeightSums::Step> next_weight_step(bool tints) const;
   void begin_weight_step(bool tints);
   void send_weight_list(const std::vector<uint32_t>& pixels);
@@ -210,6 +211,7 @@ class Renderer {
   uint64_t weight_bytes_ = 256u << 20;
   WeightGroup at_hand_;
   std::optional<WeightSums> weights_;
+  WeightSums::Memory weight_memory_;  // of sums that no longer hold
 };
 
 }  // namespace vamp

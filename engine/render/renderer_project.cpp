@@ -217,7 +217,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   if (change.restarted) {
     std::fill(samples_.begin(), samples_.end(), 0u);
     replay_.clear();
-    weights_.reset();
+    forget_weights();
   } else if (touched != 0 && region_.width > 0) {
     if (weights_alone && steps) {
       recombine(*steps, change);
@@ -226,7 +226,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
       if (weights_alone)
         weights_->start_from(material_tables_);
       else
-        weights_.reset();
+        forget_weights();
       begin_replay(touched, change);
     }
   }

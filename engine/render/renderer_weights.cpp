@@ -1,5 +1,6 @@
 // Weights at hand: their sums, gathered while nothing else is asked for, and edits answered from them.
 #include <algorithm>
+#include <utility>
 
 #include "engine/core/check.h"
 #include "engine/gpu/command_list.h"
@@ -18,6 +19,12 @@ void Renderer::set_weights_at_hand(const WeightGroup& group) {
   if (group == at_hand_) return;
   at_hand_ = group;
   weights_.reset();
+  weight_memory_.clear();
+}
+
+void Renderer::forget_weights() {
+  if (weights_) weight_memory_ = std::move(*weights_).take_memory();
+  weights_.reset();
 }
 
 void Renderer::make_weight_sums() {
@@ -26,7 +33,7 @@ void Renderer::make_weight_sums() {
     return;
   }
   weights_.emplace(*device_, WeightSpan(material_tables_, *project_, at_hand_), display_.count(), key_.planes(),
-                   tiles_.size(), weight_bytes_);
+                   tiles_.size(), weight_bytes_, std::exchange(weight_memory_, {}));
   for (WeightSums::Direction& direction : weights_->directions) {
     std::vector<gpu::Bound> bound = bound_tables();
     const auto replace = [&](gpu::Bound with) {
@@ -78,6 +85,7 @@ void Renderer::begin_weight_step(bool tints) {
   weights_->step = next_weight_step(tints);
   if (!weights_->step) return;
   WeightSums::Step& step = *weights_->step;
+  weights_->clear(*device_, step.direction);
   std::vector<bool> wanted(tiles_.size());
   for (const size_t t : step.tiles) wanted[t] = true;
   step.pixels = pixels_that_see(weights_->span.seen(), wanted);

@@ -64,6 +64,9 @@ class RenderSession {
   // Called on the render thread whenever the picture shows for the first time what was asked for last: an edit, a view,
   // a size; what is answered before this is set is not told. It must not call the session.
   void when_answered(std::function<void()> answered);
+  // The copied picture of this version, or a later one, is on the screen. Where the renderer computes on the processor
+  // it leaves it to the window between an answer and this call, for some milliseconds at the most.
+  void picture_shown(uint64_t version);
 
   // As if the device were lost at the next tile, for tests.
   void lose_device();

@@ -14,9 +14,16 @@ namespace vamp {
 
 class WeightSums {
  public:
+  // What directions are summed in.
+  using Memory = std::vector<gpu::TypedBuffer<vec4>>;
+
   // For a picture of so many pixels, accumulator planes and tiles. As many of the span's directions are kept as
-  // `max_bytes` hold, 32 bytes a pixel and plane each; throws MachineError when memory runs out.
-  WeightSums(gpu::Device& device, WeightSpan span, uint64_t pixels, uint32_t planes, size_t tiles, uint64_t max_bytes);
+  // `max_bytes` hold, 32 bytes a pixel and plane each, in what fits of `memory` first; throws MachineError when there
+  // is no more of it.
+  WeightSums(gpu::Device& device, WeightSpan span, uint64_t pixels, uint32_t planes, size_t tiles, uint64_t max_bytes,
+             Memory memory);
+  // For sums to come: to give back a hundred megabytes takes the machine 7 ms, to get them as long again.
+  Memory take_memory() &&;
 
   // The tables and sums of one direction, in the place of the picture's.
   struct Direction {
@@ -25,6 +32,7 @@ class WeightSums {
     gpu::TypedBuffer<vec4> accumulators;
     gpu::TexelView accumulators_view;
     gpu::DescriptorSet set;
+    bool cleared = false;
     std::vector<uint32_t> samples;  // of each tile
     double applied = 0;             // steps that the picture has been pulled along it
   };
@@ -43,6 +51,9 @@ class WeightSums {
   gpu::TypedBuffer<uint32_t> list;  // pixels of the region
   std::vector<uint32_t> listed;     // what it holds
 
+  // Before a direction's first step. A pixel that sees the group for the first time in a late sample owes nothing for
+  // those before.
+  void clear(gpu::Device& device, size_t direction);
   // The picture is shaded with these tables now; they differ in weights at hand alone.
   void start_from(const MaterialTables& now);
   // The first directions whose sums have as many samples as the picture's tiles.
