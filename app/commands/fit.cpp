@@ -1,7 +1,6 @@
 #include "engine/fit/fit.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "app/commands/command.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/option_values.h"
+#include "app/commands/preset_output.h"
 #include "engine/brdf/registry.h"
 #include "engine/btf/load_btf.h"
 #include "engine/core/json.h"
@@ -71,21 +71,6 @@ Result<fit::FitOptions> read_options(const FitText& text) {
                     : text.weights == "stagewise" ? fit::Weights::stagewise_lasso
                                                   : fit::Weights::elimination;
   return options;
-}
-
-// Why the preset could not be written, before minutes are spent on it.
-Status check_output(const fs::path& path) {
-  std::error_code code;
-  if (path.extension() == ".vamp" && fs::is_directory(path, code))
-    return fail(ErrorKind::io, path.string(), "", "a file", "a folder");
-  // Without .vamp it is a folder that is made: a name mistyped, or that of the measurement, is none.
-  if (path.extension() != ".vamp" && fs::exists(path, code) && !fs::is_directory(path, code))
-    return fail(ErrorKind::io, path.string(), "", "a name that ends with .vamp, or a folder", "another file");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, code)) return fail(ErrorKind::io, path.string(), "", "a folder that exists", "none");
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    return fail(ErrorKind::io, path.string(), "", "a place that may be written to", "no permission");
-  return {};
 }
 
 // What a designer meets: each function, what it looks like, and its share of the light of each cluster.
@@ -264,7 +249,7 @@ Status run_srf(const FitText& text, const fit::FitOptions& options, const Common
 
 Status run_fit(const FitText& text, const CommonOptions& common) {
   VAMP_TRY(const fit::FitOptions options, read_options(text));
-  VAMP_CHECK_STATUS(check_output(text.output));
+  VAMP_CHECK_STATUS(check_preset_output(text.output, text.name));
   if (text.kind == "srf") return run_srf(text, options, common);
   std::optional<Result<Btf>> btf;
   Image thumbnail;

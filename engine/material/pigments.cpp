@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "engine/core/half.h"
+#include "engine/material/reflectance.h"
 #include "engine/material/residual_follow.h"
 
 namespace vamp {
@@ -33,31 +35,39 @@ class Mixtures {
     }
   }
 
-  // What becomes of a colour.
-  dvec3 changed(const dvec3& colour) const {
-    double least = dot(colour, colour);
-    dvec3 moved(0);
+  // A colour as the nearest mixture.
+  struct Mixture {
+    double amount = 0;  // of `from`
+    dvec3 moves{0};     // what the exchange adds
+    dvec3 left{0};      // of the colour, beside the mixture
+  };
+  Mixture of(const dvec3& colour) const {
+    Mixture found{.left = colour};
     for (const Set& set : sets_) {
       const dvec3 amounts = set.amounts * colour;
       if (amounts.x < 0 || amounts.y < 0 || amounts.z < 0) continue;
       const dvec3 left = colour - set.colours * amounts;
-      if (!(dot(left, left) < least)) continue;
-      least = dot(left, left);
-      moved = set.moves * amounts.x;
+      if (!(dot(left, left) < dot(found.left, found.left))) continue;
+      found = {set.has_from ? amounts.x : 0, set.moves * amounts.x, left};
     }
-    return moved == dvec3(0) ? colour : clamp(colour + moved, dvec3(0), dvec3(double{kHalfMax}));
+    return found;
+  }
+
+  // What becomes of a colour.
+  dvec3 changed(const dvec3& colour) const {
+    const dvec3 moves = of(colour).moves;
+    return moves == dvec3(0) ? colour : clamp(colour + moves, dvec3(0), dvec3(double{kHalfMax}));
   }
 
  private:
   struct Set {
     glm::dmat3 amounts{0}, colours{0};  // least squares, and what it mixes; the first amount is that of `from`
-    dvec3 moves{0};                     // what one of `from` adds: to - from
+    bool has_from = false;
+    dvec3 moves{0};  // what one of `from` adds: to - from
   };
 
   void add(const std::vector<dvec3>& colours, const std::vector<size_t>& places, const dvec3& to) {
     Set set;
-    // `from` is colour 0 and always first; a set without it has no amount there.
-    const bool moves = places.front() == 0;
     for (size_t i = 0; i < places.size(); ++i) set.colours[static_cast<int>(i)] = colours[places[i]];
     glm::dmat3 gram = transpose(set.colours) * set.colours;
     for (int i = static_cast<int>(places.size()); i < 3; ++i) gram[i][i] = 1;
@@ -65,7 +75,9 @@ class Mixtures {
     for (int i = 0; i < 3; ++i) scale *= gram[i][i];
     if (!(determinant(gram) > 1e-9 * scale)) return;  // one is a mixture of the others
     set.amounts = inverse(gram) * transpose(set.colours);
-    if (moves) set.moves = to - colours[0];
+    // `from` is colour 0 and always first.
+    set.has_from = places.front() == 0;
+    if (set.has_from) set.moves = to - colours[0];
     sets_.push_back(set);
   }
 
@@ -94,6 +106,17 @@ struct ColourMap {
 double half(uint32_t bits) { return double{float_from_half(static_cast<uint16_t>(bits & 0xffffu))}; }
 uint32_t bits_of(double value) { return half_from_float(std::clamp(static_cast<float>(value), -kHalfMax, kHalfMax)); }
 
+struct Weight {
+  size_t basis;
+  dvec3 colour;
+};
+Weight weight_of(const tables::Entry& entry) {
+  return {entry.basis_red & 0xffffu,
+          dvec3(half(entry.basis_red >> 16), half(entry.green_blue), half(entry.green_blue >> 16))};
+}
+
+double sum(const dvec3& colour) { return colour.x + colour.y + colour.z; }
+
 void map_record(tables::ResidualRecord& record, int terms, const glm::dmat3& map) {
   std::array<double, 16> values{};
   for (size_t i = 0; i < values.size(); ++i) values[i] = half(record.halves[i / 2] >> (i % 2 * 16));
@@ -113,6 +136,36 @@ std::vector<dvec3> changed_colours(const std::vector<dvec3>& colours, const Pigm
   return changed;
 }
 
+PigmentShares pigment_shares(const Spmm& spmm, const PigmentChange& change) {
+  constexpr double kSeen = 0.01;  // of a texel's light
+  const Mixtures mixtures(change);
+  std::vector<double> albedos, sizes;
+  for (const Basis& basis : spmm.dictionary) {
+    albedos.push_back(mean_reflectance(basis, albedo_curve(basis.lobe)));
+    sizes.push_back(lobe_size(basis.lobe));
+  }
+  double light = 0, of_from = 0, square = 0, left = 0;
+  size_t seen = 0;
+  for (const tables::Texel& texel : spmm.texels) {
+    double texel_light = 0, texel_from = 0;
+    const size_t count = texel.cluster_count >> 8 & 0xffu;
+    for (size_t i = texel.first_entry; i < texel.first_entry + count; ++i) {
+      const auto [basis, colour] = weight_of(spmm.entries[i]);
+      const Mixtures::Mixture mixture = mixtures.of(colour);
+      texel_light += albedos[basis] * sum(colour);
+      texel_from += albedos[basis] * std::min(mixture.amount * sum(dvec3(change.from)), sum(colour));
+      square += sizes[basis] * sizes[basis] * dot(colour, colour);
+      left += sizes[basis] * sizes[basis] * dot(mixture.left, mixture.left);
+    }
+    light += texel_light;
+    of_from += texel_from;
+    seen += texel_from > 0 && texel_from >= kSeen * texel_light;
+  }
+  if (!(light > 0 && square > 0)) return {};
+  return {of_from / light, static_cast<double>(seen) / static_cast<double>(spmm.texels.size()),
+          std::sqrt(left / square)};
+}
+
 Spmm with_pigment(const Spmm& spmm, const PigmentChange& change) {
   const Mixtures mixtures(change);
   Spmm result = spmm;
@@ -122,9 +175,7 @@ Spmm with_pigment(const Spmm& spmm, const PigmentChange& change) {
   for (const tables::Texel& texel : spmm.texels) {
     const size_t cluster = texel.cluster_count & 0xffu, count = texel.cluster_count >> 8 & 0xffu;
     for (size_t i = texel.first_entry; i < texel.first_entry + count; ++i) {
-      const tables::Entry& old = spmm.entries[i];
-      const size_t basis = old.basis_red & 0xffffu;
-      const dvec3 before(half(old.basis_red >> 16), half(old.green_blue), half(old.green_blue >> 16));
+      const auto [basis, before] = weight_of(spmm.entries[i]);
       const dvec3 after = mixtures.changed(before);
       maps[cluster].add(before, after, sizes[basis] * sizes[basis]);
       result.entries[i] = {static_cast<uint32_t>(basis) | bits_of(after.x) << 16, bits_of(after.y) | bits_of(after.z)

@@ -16,6 +16,14 @@ struct PigmentChange {
 // What becomes of each of some colours.
 std::vector<dvec3> changed_colours(const std::vector<dvec3>& colours, const PigmentChange& change);
 
+// How much of a material is of the colour that goes.
+struct PigmentShares {
+  double light = 0;   // of what the functions reflect (mean_reflectance, all channels together)
+  double texels = 0;  // in which it is a hundredth of that or more
+  double untold = 0;  // relative RMSE of the weights seen as mixtures: what no mixture tells and therefore stays
+};
+PigmentShares pigment_shares(const Spmm& spmm, const PigmentChange& change);
+
 // The material with `from` exchanged for `to`. What no mixture of the colours tells of a weight stays as it is. The
 // residual follows by the linear map of colours that comes nearest to what became of its cluster's weights.
 Spmm with_pigment(const Spmm& spmm, const PigmentChange& change);

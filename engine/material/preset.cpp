@@ -176,6 +176,10 @@ Status save_preset(const Preset& preset, const fs::path& path) {
   note.entries = fit.entries.size();
   note.directions = fit.residual.records.empty() ? 0 : fit.residual.directions.size();
   const std::string text = print_json(preset_to_json(preset, note));
+  // A text of more bytes than it may have would be noticed when it is too late.
+  Spmm read_again;
+  if (const auto readable = preset_from_json(text, file, read_again, note); !readable)
+    return tl::unexpected(readable.error());
   const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
   members.json.assign(bytes.begin(), bytes.end());
   members.thumbnail = preset.thumbnail_png;

@@ -9,6 +9,8 @@
 
 namespace vamp {
 
+inline constexpr size_t kMaxPresetName = 256;  // bytes
+
 struct Preset {
   std::string name;
   std::vector<std::string> tags;
@@ -34,7 +36,8 @@ Result<Preset> load_preset(const std::filesystem::path& path);
 Result<PresetInfo> load_preset_info(const std::filesystem::path& path);
 
 // `path` ends in .vamp: one zip; else a folder. The old preset stays whole until the new one is complete. A folder that
-// holds anything but a preset is refused. The fit and the edit layer are validated first.
+// holds anything but a preset is refused, and so is what load_preset would refuse: the fit, the edit layer and all texts
+// are looked at first.
 Status save_preset(const Preset& preset, const std::filesystem::path& path);
 
 }  // namespace vamp

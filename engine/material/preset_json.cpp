@@ -185,7 +185,7 @@ Status check_version(const JsonReader& root, std::string_view file) {
 }
 
 void read_head(const JsonReader& root, std::string& name, std::vector<std::string>& tags) {
-  name = root.member("name").text(256);
+  name = root.member("name").text(kMaxPresetName);
   const JsonReader list = root.member("tags");
   for (size_t i = 0, count = list.size(64); i < count; ++i) tags.push_back(list.element(i).text(64));
 }

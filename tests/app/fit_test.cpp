@@ -70,9 +70,23 @@ TEST_F(FitProgram, APresetIsRecolouredIntoAnother) {
   };
   EXPECT_GT(light(brown).x, light(brown).z);
   EXPECT_LT(light(navy).x, light(navy).z);
+  // Most of a calf's light is its leather's, and what it came to is said.
+  EXPECT_GT(ended.json()["share_of_light"].get<double>(), 0.5);
+  EXPECT_LT(ended.json()["share_of_light"].get<double>(), 1.0);
+  EXPECT_GT(ended.json()["share_of_texels"].get<double>(), 0.9);
+  EXPECT_LT(ended.json()["untold"].get<double>(), 0.5);
+  const Ended told = run({"recolour", "calf.vamp", "--from", "white", "--to", "black", "-o", "bare.vamp"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("of the light, in"));
+  EXPECT_THAT(told.out, HasSubstr("bare.vamp: \"calf, black for white\""));
+  EXPECT_EQ(load_preset(folder / "bare.vamp").value().name, "calf, black for white");
   expect({"recolour", "calf.vamp", "--from", "black", "--to", "white", "-o", "x.vamp"}, 2, "--from");
-  expect({"recolour", "calf.vamp", "--from", "brown", "--to", "white", "-o", "x.vamp"}, 2, "--from");
+  expect({"recolour", "calf.vamp", "--from", "brown", "--to", "white", "-o", "x.vamp"}, 2, "white or black");
+  expect({"recolour", "calf.vamp", "--from", "0,0,1", "--to", "white", "-o", "x.vamp"}, 2, "--from");
+  expect({"recolour", "calf.vamp", "--from", "white", "--to", "black", "-o", "x.png"}, 2, "ends with .vamp");
+  expect({"recolour", "calf.vamp", "--from", "white", "--to", "black", "-o", "nowhere/x.vamp"}, 4, "nowhere");
   expect({"recolour", "none.vamp", "--from", "white", "--to", "black", "-o", "x.vamp"}, 3, "none.vamp");
+  EXPECT_FALSE(fs::exists(folder / "x.vamp") || fs::exists(folder / "x.png"));
 }
 
 TEST_F(FitProgram, TheLightKindSaysWhatStoringItCosts) {
@@ -95,6 +109,8 @@ TEST_F(FitProgram, WrongWordsFilesAndPlacesAreOneLineEach) {
   expect({"fit", "damaged.btf", "-o", "x.vamp"}, 3, "damaged.btf");
   expect({"fit", "none.btf", "-o", "nowhere/x.vamp"}, 4, "nowhere");
   expect({"fit", "none.btf", "-o", "x.vamp", "--clusters", "0"}, 2, "--clusters");
+  expect({"fit", "none.btf", "-o", "x.png"}, 2, "ends with .vamp");
+  expect({"fit", "none.btf", "-o", "x.vamp", "--name", std::string(257, 'x')}, 2, "--name");
   acquire("calf.btf");
   expect({"evaluate", "none.vamp", "calf.btf"}, 3, "none.vamp");
   expect({"evaluate", "presets/calf.vamp", "calf.btf"}, 3, "presets/calf.vamp");

@@ -113,6 +113,28 @@ TEST(Pigments, WhatNoMixtureTellsStays) {
   EXPECT_EQ(changed[3], dvec3(0));
 }
 
+TEST(Pigments, SharesTellHowMuchOfAMaterialIsOfAColour) {
+  // One function throughout, every weight of the same mixture: the light is split as the mixture is.
+  Spmm spmm = mixed({kBrown, kMoss, kWhite});
+  const dvec3 colour = 2.0 * dvec3(kBrown) + 0.5 * dvec3(kWhite);
+  for (tables::Entry& entry : spmm.entries)
+    entry = {bits_of(colour.x) << 16, bits_of(colour.y) | bits_of(colour.z) << 16};
+  const double sum = colour.x + colour.y + colour.z;
+  const PigmentShares brown = pigment_shares(spmm, {kBrown, kNavy, {kWhite}});
+  EXPECT_NEAR(brown.light, 1 - 1.5 / sum, 1e-3);
+  const auto lit = std::count_if(spmm.texels.begin(), spmm.texels.end(),
+                                 [](const tables::Texel& texel) { return (texel.cluster_count >> 8 & 0xffu) > 0; });
+  EXPECT_DOUBLE_EQ(brown.texels, static_cast<double>(lit) / static_cast<double>(spmm.texels.size()));
+  EXPECT_LT(brown.untold, 1e-3);
+  EXPECT_NEAR(pigment_shares(spmm, {kWhite, vec3(0), {kBrown}}).light, 1.5 / sum, 1e-3);
+  // A colour that a third one has, and none of which the mixtures know.
+  const PigmentShares moss = pigment_shares(spmm, {kMoss, kNavy, {kBrown, kWhite}});
+  EXPECT_LT(moss.light, 1e-3);
+  EXPECT_EQ(moss.texels, 0);
+  for (tables::Entry& entry : spmm.entries) entry = {bits_of(1) << 16, 0};
+  EXPECT_NEAR(pigment_shares(spmm, {vec3(0, 1, 0), vec3(0), {vec3(1, 0, 1)}}).untold, std::sqrt(0.5), 1e-3);
+}
+
 TEST(Pigments, ColoursThatAreMixturesOfOthersDoNoHarm) {
   const std::vector<dvec3> changed = changed_colours({dvec3(kBrown) + dvec3(kWhite)},
                                                      {kBrown, kNavy, {kWhite, 2.f * kWhite, kBrown + kWhite, kBrown}});

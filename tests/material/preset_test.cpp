@@ -186,6 +186,13 @@ TEST(Preset, WhatIsNotValidIsNotSaved) {
   fit.entries[0].green_blue = 0x7c00;
   preset.fit = std::make_shared<Spmm>(fit);
   EXPECT_FALSE(save_preset(preset, folder / "a.vamp"));
+  // What could be written and never be read again.
+  preset = small_preset();
+  preset.name = std::string(kMaxPresetName + 1, 'a');
+  EXPECT_FALSE(save_preset(preset, folder / "a.vamp"));
+  preset = small_preset();
+  preset.provenance = std::string(5000, 'a');
+  EXPECT_FALSE(save_preset(preset, folder / "a.vamp"));
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
