@@ -28,7 +28,7 @@ const Json& named(const Json& rows, std::string_view name) {
 
 // What is asked of the fits: each as a figure of a material and the most or least that it may be.
 struct Bar {
-  const char* what;
+  std::string what;
   std::function<double(const Json&)> of;
   const char* asked;
   bool percent = false;
@@ -70,7 +70,7 @@ std::vector<Bar> bars() {
       {"4 terms / SVD of rank 10, between", [](const Json& f) { return over_svd10(f, "between"); }, "< 1"},
       {"4 terms / SVD of equal bytes, between",
        [](const Json& f) { return over_equal_bytes(usual(f), "with 4 terms", "between"); }, ""},
-      {"the same with fewer clusters",
+      {fmt::format("the same with {} clusters", kSmallFitClusters),
        [](const Json& f) { return over_equal_bytes(f["small_curve"], "with 4 terms", "between"); },
        "1.35 on four, 1.5 on all"},
       {"shared residual of 32 terms / SVD of equal bytes, between",
@@ -174,11 +174,13 @@ Result<FitCurves> bench_fit(const FitBench& options, Progress& progress) {
     VAMP_TRY(Json figures, fit_figures(*material, options.data, options.threads, progress));
     all.push_back(std::move(figures));
   }
-  Report report("fit",
-                fmt::format("Synthetic: {0} x {0} texels, {1} paths a texel and view, {2} between the directions; {3} "
-                            "clusters, or {4} where fewer are named. Errors are relative RMSE, all pairs alike.",
-                            options.data.size, options.data.samples, kPathsBetween * options.data.samples, kFitClusters,
-                            kSmallFitClusters));
+  Report report(
+      "fit",
+      fmt::format(
+          "Synthetic: {0} x {0} texels, {1} paths a texel and view, {2} between the directions; {3} "
+          "clusters, as vamp fit has them, or {4} where these are named. Errors are relative RMSE, all pairs alike.",
+          options.data.size, options.data.samples, kPathsBetween * options.data.samples, kFitClusters,
+          kSmallFitClusters));
   std::vector<std::string> heads = {"figure (asked for)"};
   for (const FitMaterial* material : materials)
     heads.push_back(fmt::format("{}{}", material->name, material->judged ? "" : " (not judged)"));

@@ -11,9 +11,9 @@ namespace vamp {
 // .., "ring": ..}.
 Result<Json> fit_figures(const FitMaterial& material, const FitDataOptions& options, int threads, Progress& progress);
 
-// Of 64 x 64 texels: between the 8 that give a cluster as many texels as vamp fit gives it at 128 x 128, and its 32.
-inline constexpr int kFitClusters = 16;
-// Where bytes count.
+// As vamp fit has it.
+inline constexpr int kFitClusters = 32;
+// Where bytes count: of 64 x 64 texels, as many to a cluster as vamp fit has of 128 x 128.
 inline constexpr int kSmallFitClusters = 8;
 
 }  // namespace vamp
