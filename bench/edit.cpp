@@ -136,6 +136,7 @@ class Bench {
 Result<Report> bench_edit(gpu::Device& device, Project project, const EditBench& options) {
   const int vamp = std::max(project.scene->find_part("Vamp"), 0);
   const size_t material = static_cast<size_t>(project.parts[static_cast<size_t>(vamp)].material);
+  const int materials = static_cast<int>(project.materials.size());
   const int bases = static_cast<int>(project.materials[material].fit->dictionary.size());
   const int clusters = static_cast<int>(project.materials[material].fit->clusters.size());
   const auto tilt = [&](Project& p, int round, int first, int end) {
@@ -170,6 +171,10 @@ Result<Report> bench_edit(gpu::Device& device, Project project, const EditBench&
     });
   }
   bench.select_nothing();
+  if (materials > 1)
+    bench.measure("another material on a part", options.rounds, [&](Project& p, int round) {
+      p.parts[static_cast<size_t>(vamp)].material = (static_cast<int>(material) + round + 1) % materials;
+    });
   if (!project.lights.empty())
     bench.measure("power of a light", options.rounds, [&](Project& p, int) { p.lights[0].power *= 1.1f; });
   bench.measure_moves("camera turned by a degree", options.rounds, [](Project& p, int) {

@@ -1,7 +1,5 @@
 #include "engine/render/kernel_key.h"
 
-#include <algorithm>
-
 #include "engine/material/highlight.h"
 #include "engine/render/material_tables.h"
 #include "engine/render/scene_tables.h"
@@ -18,16 +16,7 @@ KernelKey generic(KernelKey key) {
   return key;
 }
 
-bool KernelKeys::has_highlight(const SpmmPtr& fit) {
-  std::erase_if(highlights_, [](const auto& known) { return known.first.expired(); });
-  const auto known =
-      std::find_if(highlights_.begin(), highlights_.end(), [&](const auto& k) { return k.first.lock() == fit; });
-  if (known != highlights_.end()) return known->second;
-  highlights_.emplace_back(fit, highlight_width(*fit, fit_sums(*fit)) != 0);
-  return highlights_.back().second;
-}
-
-KernelKey KernelKeys::key_of(const Project& project, const LightDraws& draws) {
+KernelKey kernel_key(const Project& project, const LightDraws& draws, KnownSums& sums) {
   KernelKey key;
   for (const Light& light : project.lights) {
     if (!light.on) continue;
@@ -40,7 +29,8 @@ KernelKey KernelKeys::key_of(const Project& project, const LightDraws& draws) {
   for (const PartState& part : project.parts) {
     if (!part.visible) continue;
     key.mirror |= part.mirror_f0 > 0;
-    key.highlight |= has_highlight(project.materials[static_cast<size_t>(part.material)].fit);
+    const SpmmPtr& fit = project.materials[static_cast<size_t>(part.material)].fit;
+    key.highlight |= highlight_width(*fit, *sums.of(fit)) != 0;
   }
   key.alpha_mask = has_alpha_mask(*project.scene);
   key.residual = residual_in_view(project);

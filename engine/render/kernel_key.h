@@ -3,10 +3,8 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
 
+#include "engine/material/known_sums.h"
 #include "engine/project/project.h"
 
 namespace vamp {
@@ -50,15 +48,8 @@ struct LightDraws {
   uint32_t slots = 2;
 };
 
-// Finds keys from projects alone, before anything of them is on the device; remembers what takes a while to find.
-class KernelKeys {
- public:
-  // samples, new_hit, list and storage_fetch are left as they are by default.
-  KernelKey key_of(const Project& project, const LightDraws& draws);
-
- private:
-  bool has_highlight(const SpmmPtr& fit);
-  std::vector<std::pair<std::weak_ptr<const Spmm>, bool>> highlights_;
-};
+// From the project alone, before anything of it is on the device. samples, new_hit, list and storage_fetch are left as
+// they are by default.
+KernelKey kernel_key(const Project& project, const LightDraws& draws, KnownSums& sums);
 
 }  // namespace vamp

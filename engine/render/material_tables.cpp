@@ -49,7 +49,7 @@ uint32_t residual_terms(const MaterialInstance& material) {
 
 }  // namespace
 
-Result<MaterialTables> build_material_tables(const Project& project) {
+Result<MaterialTables> build_material_tables(const Project& project, KnownSums& sums) {
   MaterialTables all;
   // What parts without a residual read: one record of zeros, reached through one triangle whose first corner has all
   // the weight, from a map that knows no other.
@@ -67,8 +67,8 @@ Result<MaterialTables> build_material_tables(const Project& project) {
       const Spmm& fit = *material.fit;
       place.texel = append(all.texels, fit.texels);
       place.entry = append(all.entries, fit.entries);
-      all.sums.push_back(fit_sums(fit));
-      const EditedTables edited = edited_tables(fit, material.edits, &all.sums.back());
+      all.sums.push_back(sums.of(material.fit));
+      const EditedTables edited = edited_tables(fit, material.edits, all.sums.back().get());
       place.basis = append(all.bases, edited.bases);
       place.cluster = append(all.clusters, edited.clusters);
       if (!fit.residual.records.empty()) {
@@ -87,7 +87,7 @@ Result<MaterialTables> build_material_tables(const Project& project) {
 
 ChangedRows apply_edits(MaterialTables& all, const Project& project, size_t material) {
   const MaterialInstance& instance = project.materials[material];
-  const EditedTables edited = edited_tables(*instance.fit, instance.edits, &all.sums[material]);
+  const EditedTables edited = edited_tables(*instance.fit, instance.edits, all.sums[material].get());
   const MaterialTables::Place& place = all.places[material];
   return {replace_rows(all.bases, place.basis, edited.bases),
           replace_rows(all.clusters, place.cluster, edited.clusters)};
@@ -140,8 +140,8 @@ std::vector<frame::PartRow> part_rows(const Project& project, const SceneTables&
     row.direction_map = place.map;
     row.last_ring_cos = place.last_ring_cos;
     row.flags = first_seen_bit(static_cast<size_t>(part.material)) << PART_SEEN_SHIFT;
-    row.flags |= highlight_code(highlight_width(fit, materials.sums[static_cast<size_t>(part.material)]))
-                 << PART_HIGHLIGHT_SHIFT;
+    if (const FitSums* sums = materials.sums[static_cast<size_t>(part.material)].get(); sums != nullptr)
+      row.flags |= highlight_code(highlight_width(fit, *sums)) << PART_HIGHLIGHT_SHIFT;
     if (has_residual(material)) row.flags |= residual_terms(material) << PART_TERMS_SHIFT;
 
     // Texture coordinates in periods. A measured material has a size in mm; the model's own follows its texture.

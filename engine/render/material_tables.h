@@ -2,10 +2,11 @@
 // All materials of a project in the flat tables that the kernels read, one after another; and which rows an edit
 // changed.
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "engine/material/reflectance.h"
+#include "engine/material/known_sums.h"
 #include "engine/material/tables.h"
 #include "engine/project/project.h"
 #include "engine/render/scene_tables.h"
@@ -21,7 +22,7 @@ struct MaterialTables {
     float last_ring_cos = 1;
   };
   std::vector<Place> places;
-  std::vector<FitSums> sums;  // of each material in view, so that an edit need not sum again
+  std::vector<std::shared_ptr<const FitSums>> sums;  // of each material in view, else null
   std::vector<tables::Texel> texels;
   std::vector<tables::Entry> entries;
   std::vector<tables::BasisRow> bases;
@@ -32,7 +33,7 @@ struct MaterialTables {
 };
 
 // Materials that no visible part uses are left out (their place stays zero).
-Result<MaterialTables> build_material_tables(const Project& project);
+Result<MaterialTables> build_material_tables(const Project& project, KnownSums& sums);
 
 // Rows [first, first + count) of a table.
 using RowRanges = std::vector<std::pair<uint32_t, uint32_t>>;

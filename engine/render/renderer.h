@@ -189,7 +189,7 @@ class Renderer {
   MaterialTables material_tables_;
   std::vector<frame::PartRow> part_rows_;
   LightDraws draws_;
-  KernelKeys keys_;
+  KnownSums sums_;
   std::vector<size_t> lights_;  // which of the project's lights are traced
   GpuScene gpu_;
   KernelKey key_;

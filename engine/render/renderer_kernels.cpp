@@ -60,7 +60,7 @@ bool Renderer::shades_again(const Project& now) const {
 
 bool Renderer::has_kernels_for(const Project& project) {
   if (!kernels_.in_background() || !project_) return true;
-  KernelKey key = keys_.key_of(project, draws_);
+  KernelKey key = kernel_key(project, draws_, sums_);
   key.storage_fetch = key_.storage_fetch;
   std::vector<std::pair<Pass, KernelKey>> needed;
   if (key != key_) needed = first_kernels(key);

@@ -95,7 +95,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   }
   const bool new_geometry = new_tables;
   if (materials_differ(now)) {
-    VAMP_TRY(material_tables_, build_material_tables(now));
+    VAMP_TRY(material_tables_, build_material_tables(now, sums_));
     VAMP_TRY(const uint64_t bytes, gpu_.send_materials(*device_, material_tables_));
     change.bytes += bytes;
     new_tables = true;
@@ -108,7 +108,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     // The common edit: some rows of 48 or 16 bytes.
     for (size_t i = 0; i < now.materials.size(); ++i) {
       if (now.materials[i].edits == project_->materials[i].edits) continue;
-      if (material_tables_.sums[i].texels.empty()) continue;  // no visible part shows it
+      if (!material_tables_.sums[i]) continue;  // no visible part shows it
       const ChangedRows rows = apply_edits(material_tables_, now, i);
       for (const auto& [first, count] : rows.bases)
         change.bytes += device_->upload_rows<tables::BasisRow>(gpu_.bases.rows, first,
@@ -172,7 +172,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   }
 
   // What the kernels are specialised for.
-  KernelKey key = keys_.key_of(now, draws_);
+  KernelKey key = kernel_key(now, draws_, sums_);
   key.storage_fetch = key_.storage_fetch;
   const bool new_picture = key.planes() != key_.planes() || key.mirror != key_.mirror || !hits_;
   if (new_picture) VAMP_CHECK_STATUS(sums_fit(key.planes(), region_.width, region_.height));

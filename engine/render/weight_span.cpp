@@ -68,7 +68,7 @@ WeightSpan::WeightSpan(const MaterialTables& tables, const Project& project, con
   const MaterialInstance& material = project.materials[material_];
   const size_t bases = material.fit->dictionary.size();
   // No visible part shows it.
-  if (tables.sums[material_].texels.empty()) return;
+  if (!tables.sums[material_]) return;
   cluster_count_ = material.fit->clusters.size();
   basis_count_ = cluster_count_ * bases;
   start_from(tables);
@@ -85,7 +85,7 @@ WeightSpan::WeightSpan(const MaterialTables& tables, const Project& project, con
     return edit.gain != first.gain || edit.mute != first.mute;
   });
   const vec3 gain = first.gain != vec3(0) ? first.gain : vec3(1);
-  const FitSums& sums = tables.sums[material_];
+  const FitSums& sums = *tables.sums[material_];
   const EditedTables common = at_gain(material, sums, rows, gain);
   const EditedTables zero = at_gain(material, sums, rows, vec3(0));
   if (mixed) add_direction(tables, common, {bases_, clusters_});
