@@ -8,15 +8,16 @@
 #include <glm/matrix.hpp>
 
 #include "engine/core/half.h"
+#include "engine/material/frame.h"
 #include "engine/material/reflectance.h"
 #include "engine/material/residual_follow.h"
 
 namespace vamp {
 namespace {
 
-// How much a cluster's map of colours is drawn to that of all clusters, and both to a mere factor, where weights of few
-// colours leave it open: shares of the sums of squares.
-constexpr double kToAll = 1e-2, kToFactor = 1e-4;
+// How much a cluster's map of colours is drawn to that of all clusters, to what is said of each named colour, and to a
+// mere factor where all these leave it open: shares of the sums of squares. Measured by `vamp bench edits`.
+constexpr double kToAll = 1e-2, kToNamed = 1, kToFactor = 1e-4;
 
 // Colours as non-negative mixtures of others. With non-negative amounts, some three colours or fewer are always as near
 // as all (Caratheodory), and those are solved in advance: each set is a matrix.
@@ -92,14 +93,16 @@ struct ColourMap {
     squares += weight * outerProduct(before, before);
     products += weight * outerProduct(after, before);
   }
+  void add(const ColourMap& other, double weight) {
+    squares += weight * other.squares;
+    products += weight * other.products;
+  }
   double size() const { return squares[0][0] + squares[1][1] + squares[2][2]; }
 
-  glm::dmat3 solved(const ColourMap& all) const {
-    if (!(all.size() > 0)) return glm::dmat3(1);
-    const double share = size() > 0 ? kToAll * size() / all.size() : 1;
-    const glm::dmat3 a = squares + share * all.squares, b = products + share * all.products;
-    const double trace = a[0][0] + a[1][1] + a[2][2], factor = (b[0][0] + b[1][1] + b[2][2]) / trace;
-    return (b + glm::dmat3(kToFactor * trace * factor)) * inverse(a + glm::dmat3(kToFactor * trace));
+  glm::dmat3 solved() const {
+    if (!(size() > 0)) return glm::dmat3(1);
+    const double pull = kToFactor * size(), factor = (products[0][0] + products[1][1] + products[2][2]) / size();
+    return (products + glm::dmat3(pull * factor)) * inverse(squares + glm::dmat3(pull));
   }
 };
 
@@ -115,13 +118,75 @@ Weight weight_of(const tables::Entry& entry) {
           dvec3(half(entry.basis_red >> 16), half(entry.green_blue), half(entry.green_blue >> 16))};
 }
 
+tables::Entry entry_of(const Weight& weight) {
+  const auto& [basis, colour] = weight;
+  return {static_cast<uint32_t>(basis) | bits_of(colour.x) << 16, bits_of(colour.y) | bits_of(colour.z) << 16};
+}
+
 double sum(const dvec3& colour) { return colour.x + colour.y + colour.z; }
 
-void map_record(tables::ResidualRecord& record, int terms, const glm::dmat3& map) {
+// A cluster's map of colours, by which all of it changes: the nearest to what becomes of its weights, each by itself
+// (by its function's size), and of the named colours. These keep the map from what is noise in the weights: of a white
+// highlight many times as bright as the body, a hundredth of another colour would be left to see.
+std::vector<glm::dmat3> colour_maps(const Spmm& spmm, const PigmentChange& change) {
+  const Mixtures mixtures(change);
+  std::vector<double> sizes;
+  for (const Basis& basis : spmm.dictionary) sizes.push_back(lobe_size(basis.lobe));
+  std::vector<ColourMap> maps(spmm.clusters.size());
+  ColourMap all;
+  for (const tables::Texel& texel : spmm.texels) {
+    const size_t cluster = texel.cluster_count & 0xffu, count = texel.cluster_count >> 8 & 0xffu;
+    for (size_t i = texel.first_entry; i < texel.first_entry + count; ++i) {
+      const auto [basis, colour] = weight_of(spmm.entries[i]);
+      const dvec3 after = mixtures.changed(colour);
+      maps[cluster].add(colour, after, sizes[basis] * sizes[basis]);
+      all.add(colour, after, sizes[basis] * sizes[basis]);
+    }
+  }
+  std::vector<glm::dmat3> solved;
+  for (ColourMap& map : maps) {
+    map.add(all, map.size() > 0 && all.size() > 0 ? kToAll * map.size() / all.size() : 1);
+    const double named = kToNamed * map.size();
+    const auto add = [&](const dvec3& before, const dvec3& after) {
+      if (const double square = dot(before, before); square > 0) map.add(before, after, named / square);
+    };
+    add(dvec3(change.from), dvec3(change.to));
+    for (const vec3 colour : change.staying) add(dvec3(colour), dvec3(colour));
+    solved.push_back(map.solved());
+  }
+  return solved;
+}
+
+// Sums over functions of a colour each times what it reflects, [cluster * pairs + pair]; `colours` [cluster * bases +
+// basis].
+std::vector<vec3> reflected(const Spmm& spmm, const std::vector<dvec3>& colours) {
+  const std::vector<vec3>& directions = spmm.residual.directions;
+  const size_t bases = spmm.dictionary.size(), pairs = directions.size() * directions.size();
+  std::vector<vec3> sums(spmm.clusters.size() * pairs, vec3(0));
+  std::vector<double> values(pairs);
+  for (size_t j = 0; j < bases; ++j) {
+    const Basis& basis = spmm.dictionary[j];
+    const BasisFrame frame(dvec3(basis.normal), double{basis.psi});
+    const PackedLobe lobe = pack_lobe(basis.lobe);
+    for (size_t p = 0; p < pairs; ++p)
+      values[p] = lobe_value(lobe, frame.local(dvec3(directions[p % directions.size()])),
+                             frame.local(dvec3(directions[p / directions.size()])));
+    for (size_t c = 0; c < spmm.clusters.size(); ++c) {
+      const dvec3& colour = colours[c * bases + j];
+      if (colour == dvec3(0)) continue;
+      for (size_t p = 0; p < pairs; ++p) sums[c * pairs + p] += vec3(colour * values[p]);
+    }
+  }
+  return sums;
+}
+
+// Mean and terms go by the map; to the mean something is added.
+void change_record(tables::ResidualRecord& record, int terms, const glm::dmat3& map, const dvec3& added) {
   std::array<double, 16> values{};
   for (size_t i = 0; i < values.size(); ++i) values[i] = half(record.halves[i / 2] >> (i % 2 * 16));
   for (size_t k = 0; k <= static_cast<size_t>(terms); ++k) {
-    const dvec3 mapped = map * dvec3(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    dvec3 mapped = map * dvec3(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    if (k == 0) mapped += added;
     for (size_t c = 0; c < 3; ++c) values[3 * k + c] = mapped[static_cast<int>(c)];
   }
   for (size_t i = 0; i < 8; ++i) record.halves[i] = bits_of(values[2 * i]) | bits_of(values[2 * i + 1]) << 16;
@@ -167,30 +232,29 @@ PigmentShares pigment_shares(const Spmm& spmm, const PigmentChange& change) {
 }
 
 Spmm with_pigment(const Spmm& spmm, const PigmentChange& change) {
-  const Mixtures mixtures(change);
+  const std::vector<glm::dmat3> maps = colour_maps(spmm, change);
+  const size_t bases = spmm.dictionary.size();
   Spmm result = spmm;
-  std::vector<double> sizes;
-  for (const Basis& basis : spmm.dictionary) sizes.push_back(lobe_size(basis.lobe));
-  std::vector<ColourMap> maps(spmm.clusters.size());
+  // Weights cannot be negative; what that took from a cluster is told by the residual's mean instead.
+  std::vector<dvec3> cut(maps.size() * bases, dvec3(0));
+  std::vector<double> members(maps.size(), 0);
   for (const tables::Texel& texel : spmm.texels) {
     const size_t cluster = texel.cluster_count & 0xffu, count = texel.cluster_count >> 8 & 0xffu;
+    members[cluster] += 1;
     for (size_t i = texel.first_entry; i < texel.first_entry + count; ++i) {
-      const auto [basis, before] = weight_of(spmm.entries[i]);
-      const dvec3 after = mixtures.changed(before);
-      maps[cluster].add(before, after, sizes[basis] * sizes[basis]);
-      result.entries[i] = {static_cast<uint32_t>(basis) | bits_of(after.x) << 16, bits_of(after.y) | bits_of(after.z)
-                                                                                                         << 16};
+      const auto [basis, colour] = weight_of(spmm.entries[i]);
+      const dvec3 mapped = maps[cluster] * colour;
+      result.entries[i] = entry_of({basis, clamp(mapped, dvec3(0), dvec3(double{kHalfMax}))});
+      cut[cluster * bases + basis] += mapped - weight_of(result.entries[i]).colour;
     }
   }
   if (spmm.residual.records.empty()) return result;
-  ColourMap all;
-  for (const ColourMap& map : maps) all.squares += map.squares, all.products += map.products;
+  for (size_t c = 0; c < maps.size(); ++c)
+    for (size_t j = 0; j < bases && members[c] > 0; ++j) cut[c * bases + j] /= members[c];
+  const std::vector<vec3> added = reflected(spmm, cut);
   const size_t pairs = spmm.residual.directions.size() * spmm.residual.directions.size();
-  for (size_t c = 0; c < maps.size(); ++c) {
-    const glm::dmat3 map = maps[c].solved(all);
-    for (size_t pair = 0; pair < pairs; ++pair)
-      map_record(result.residual.records[c * pairs + pair], spmm.residual.terms, map);
-  }
+  for (size_t i = 0; i < result.residual.records.size(); ++i)
+    change_record(result.residual.records[i], spmm.residual.terms, maps[i / pairs], dvec3(added[i]));
   return result;
 }
 

@@ -24,8 +24,8 @@ struct PigmentShares {
 };
 PigmentShares pigment_shares(const Spmm& spmm, const PigmentChange& change);
 
-// The material with `from` exchanged for `to`. What no mixture of the colours tells of a weight stays as it is. The
-// residual follows by the linear map of colours that comes nearest to what became of its cluster's weights.
+// The material with `from` exchanged for `to`: weights and residual of each cluster by the linear map of colours that
+// comes nearest to what became of its weights, and of the named colours.
 Spmm with_pigment(const Spmm& spmm, const PigmentChange& change);
 
 }  // namespace vamp

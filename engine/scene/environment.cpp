@@ -16,6 +16,9 @@ constexpr int kMaxWidth = 4096;
 constexpr int kMaxHeight = 2048;
 // Part of the samples that goes evenly over the sphere, so that no direction has a pdf of zero.
 constexpr double kEven = 0.02;
+// The sun's disk has some 1e9 in candela per square metre; sums and squares of far more would leave the range of
+// floats.
+constexpr float kMaxRadiance = 1e12f;
 
 double luminance(const vec4& c) {
   return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) + 0.0722 * static_cast<double>(c.z);
@@ -102,9 +105,9 @@ Result<std::shared_ptr<const Environment>> make_environment(uint32_t width, uint
   for (size_t i = 0; i < radiance.size(); ++i) {
     const vec3& c = radiance[i];
     for (int k = 0; k < 3; ++k)
-      if (!(c[k] >= 0) || !std::isfinite(c[k]))
+      if (!(c[k] >= 0 && c[k] <= kMaxRadiance))
         return fail(ErrorKind::bad_input, file, fmt::format("texel ({}, {})", i % width, i / width),
-                    "finite radiance, not negative", fmt::format("{}", c[k]));
+                    fmt::format("radiance of 0 to {:g}", kMaxRadiance), fmt::format("{:g}", c[k]));
     e->texels.emplace_back(c, 0.0f);
     weight[i] = luminance(e->texels.back()) * texel_angle(static_cast<uint32_t>(i / width), width, height);
     sum += weight[i];
