@@ -76,13 +76,13 @@ class BackgroundPipelines::Rehearsal {
 };
 
 bool BackgroundPipelines::useful(const Device& device) {
-  return !device.info().is_lavapipe || !driver_cache_dir().empty();
+  return !device.info().is_lavapipe || !driver_caches().empty();
 }
 
 BackgroundPipelines::BackgroundPipelines(Device& device, std::function<void()> arrived)
     : device_(device),
       arrived_(std::move(arrived)),
-      cache_(device.info().is_lavapipe ? driver_cache_dir() : fs::path()) {
+      caches_(device.info().is_lavapipe ? driver_caches() : std::vector<fs::path>()) {
   threads_.emplace_back([this] { work(device_.nice(), false); });
   threads_.emplace_back([this] { work(device_.nice() + kSpareNice, true); });
 }
@@ -166,7 +166,7 @@ bool BackgroundPipelines::pick(bool spare, Job& job) {
   for (auto at = jobs_.begin(); at != jobs_.end(); ++at) {
     // The thread for what is spare would let those wait who wait already.
     if (at->urgency == (spare ? Urgency::straight : Urgency::spare)) continue;
-    if (at->urgency != Urgency::straight && !cache_.empty() && formats_.empty()) continue;
+    if (at->urgency != Urgency::straight && !caches_.empty() && formats_.empty()) continue;
     if (best == jobs_.end() || at->urgency < best->urgency) best = at;
   }
   if (best == jobs_.end()) return false;
@@ -182,7 +182,7 @@ void BackgroundPipelines::rehearse(std::unique_ptr<Rehearsal>& rehearsal, const 
     if (unseen_ > kUnseenAllowed) return;
     formats = formats_;
   }
-  const fs::file_time_type before = last_change(cache_);
+  const fs::file_time_type before = last_change(caches_);
   try {
     if (!rehearsal) rehearsal = std::make_unique<Rehearsal>(device_, formats);
     if (rehearsal->run(desc)) return;
@@ -198,7 +198,7 @@ void BackgroundPipelines::rehearse(std::unique_ptr<Rehearsal>& rehearsal, const 
   bool seen = false, stopped = false;
   while (!seen && !stopped && seconds_since(start) < kPatienceSeconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(3));
-    seen = last_change(cache_) != before;
+    seen = last_change(caches_) != before;
     const std::scoped_lock lock(mutex_);
     stopped = stop_;
   }
@@ -206,7 +206,7 @@ void BackgroundPipelines::rehearse(std::unique_ptr<Rehearsal>& rehearsal, const 
   if (stopped) return;
   unseen_ = seen ? 0 : unseen_ + 1;
   if (unseen_ == kUnseenAllowed + 1)
-    spdlog::info("kernels are compiled while the picture waits: nothing appears in {}", cache_.string());
+    spdlog::info("kernels are compiled while the picture waits: nothing appears in {}", caches_.front().string());
 }
 
 void BackgroundPipelines::work(int nice, bool spare) {
@@ -222,7 +222,7 @@ void BackgroundPipelines::work(int nice, bool spare) {
     std::exception_ptr error;
     ComputePipeline pipeline;
     try {
-      if (job.urgency != Urgency::straight && !cache_.empty()) rehearse(rehearsal, job.desc);
+      if (job.urgency != Urgency::straight && !caches_.empty()) rehearse(rehearsal, job.desc);
       pipeline = ComputePipeline(device_, job.desc);
     } catch (...) {
       error = std::current_exception();

@@ -71,7 +71,7 @@ class BackgroundPipelines {
 
   Device& device_;
   const std::function<void()> arrived_;
-  const fs::path cache_;  // the driver's, where pipelines are rehearsed
+  const std::vector<fs::path> caches_;  // the driver's, where pipelines are rehearsed
 
   std::mutex mutex_;
   std::condition_variable wanted_, made_one_;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <string>
 
@@ -17,8 +18,9 @@ const char* variable(const char* name) {
 bool switched_off(const char* name) {
   const char* value = variable(name);
   if (value == nullptr) return false;
-  const std::string text(value);
-  return text == "1" || text == "true" || text == "yes" || text == "y" || text == "TRUE";
+  std::string text(value);
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text == "1" || text == "true" || text == "yes" || text == "y";
 }
 
 // Mesa's src/util/disk_cache_os.c, disk_cache_generate_cache_dir().
@@ -31,22 +33,32 @@ fs::path base_of_cache() {
 
 }  // namespace
 
-fs::path driver_cache_dir() {
+std::vector<fs::path> driver_caches() {
   if (switched_off("MESA_SHADER_CACHE_DISABLE") || switched_off("MESA_GLSL_CACHE_DISABLE")) return {};
   const fs::path base = base_of_cache();
-  if (base.empty()) return {};
-  const fs::path folder = base / "mesa_shader_cache";
-  return ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0 ? folder : fs::path();
+  std::vector<fs::path> folders;
+  if (base.empty()) return folders;
+  for (const char* name : {"mesa_shader_cache", "mesa_shader_cache_db"})
+    if (const fs::path folder = base / name; ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0)
+      folders.push_back(folder);
+  return folders;
 }
 
-fs::file_time_type last_change(const fs::path& driver_cache) {
-  std::error_code code;
-  fs::file_time_type last = fs::last_write_time(driver_cache, code);
-  // A kernel is a file in one of 256 folders; newer Mesa appends to files in the folder itself.
-  for (fs::directory_iterator at(driver_cache, code), end; !code && at != end; at.increment(code)) {
-    std::error_code gone;
-    const fs::file_time_type time = at->last_write_time(gone);
-    if (!gone) last = std::max(last, time);
+fs::file_time_type last_change(const std::vector<fs::path>& driver_caches) {
+  // A kernel is a file in one of 256 folders; newer Mesa appends to files, in the folder itself or in one below.
+  constexpr int kMostEntries = 1024;
+  fs::file_time_type last = fs::file_time_type::min();
+  for (const fs::path& folder : driver_caches) {
+    const bool appends = folder.filename() == "mesa_shader_cache_db";
+    std::error_code code;
+    int left = kMostEntries;
+    for (fs::recursive_directory_iterator at(folder, code), end; !code && at != end && left > 0; at.increment(code)) {
+      if (!appends) at.disable_recursion_pending();
+      std::error_code gone;
+      const fs::file_time_type time = at->last_write_time(gone);
+      if (!gone) last = std::max(last, time);
+      --left;
+    }
   }
   return last;
 }

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <bit>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 
 #include "engine/gpu/background_pipelines.h"
@@ -10,6 +11,7 @@
 #include "shaders/spirv.h"
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/kernels/probe.h"
+#include "tests/material/temporary_folder.h"
 
 namespace vamp::gpu {
 namespace {
@@ -67,7 +69,7 @@ TEST_F(Background, WhatIsNotBegunCanBeDropped) {
   for (uint64_t i = 0; i < 20; ++i)
     background.want(i, scale_by(static_cast<float>(i)), BackgroundPipelines::Urgency::soon);
   const size_t dropped = background.drop_wanted().size();
-  EXPECT_EQ(dropped, device->info().is_lavapipe && !driver_cache_dir().empty() ? 20u : dropped);
+  EXPECT_EQ(dropped, device->info().is_lavapipe && !driver_caches().empty() ? 20u : dropped);
   EXPECT_TRUE(background.drop_wanted().empty());
 }
 
@@ -75,9 +77,27 @@ TEST_F(Background, IsOfNoUseWhereTheDriverCompilesOnTheQueueAndKeepsNothing) {
   const char* const before = std::getenv("MESA_SHADER_CACHE_DISABLE");
   const std::string kept = before != nullptr ? before : "";
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-  EXPECT_TRUE(driver_cache_dir().empty());
+  EXPECT_TRUE(driver_caches().empty());
   EXPECT_EQ(BackgroundPipelines::useful(*device), !device->info().is_lavapipe);
   before != nullptr ? ::setenv("MESA_SHADER_CACHE_DISABLE", kept.c_str(), 1) : ::unsetenv("MESA_SHADER_CACHE_DISABLE");
+}
+
+TEST(DriverCaches, AreSeenToGrowWhereverADriverKeepsItsKernels) {
+  const vamp::test::TemporaryFolder base;
+  const char* const before = std::getenv("MESA_SHADER_CACHE_DIR");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("MESA_SHADER_CACHE_DIR", base.path().c_str(), 1);
+  EXPECT_TRUE(driver_caches().empty());
+  for (const char* folder : {"mesa_shader_cache/00", "mesa_shader_cache_db/part0"}) {
+    fs::create_directories(base.path() / folder);
+    const std::vector<fs::path> caches = driver_caches();
+    const fs::file_time_type last = last_change(caches);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::ofstream(base.path() / folder / "kernel") << "bits";
+    EXPECT_GT(last_change(caches), last) << folder;
+  }
+  EXPECT_EQ(driver_caches().size(), 2u);
+  before != nullptr ? ::setenv("MESA_SHADER_CACHE_DIR", kept.c_str(), 1) : ::unsetenv("MESA_SHADER_CACHE_DIR");
 }
 
 // lavapipe compiles anew for sizes that are a power of two, and for views whose bits 8 to 15 of the size are 0.
