@@ -26,7 +26,7 @@ class CpuPainter final : public Painter {
  public:
   CpuPainter(gpu::Device& device, const Textures& textures) : device_(device), raster_(textures) {}
 
-  void resize(uint32_t width, uint32_t height, std::span<const VkImage>) override {
+  bool resize(uint32_t width, uint32_t height, std::span<const VkImage>) override {
     width_ = width;
     height_ = height;
     const uint64_t pixels = uint64_t{width} * height;
@@ -35,6 +35,7 @@ class CpuPainter final : public Painter {
     }
     value_ = 0;
     raster_.forget();
+    return true;
   }
 
   bool prepare(const ImDrawData& data) override {

@@ -22,8 +22,8 @@ class Painter {
  public:
   virtual ~Painter() = default;
 
-  // For images of this size from now on.
-  virtual void resize(uint32_t width, uint32_t height, std::span<const VkImage> images) = 0;
+  // For images of this size from now on. False where it has nothing to paint into any more.
+  virtual bool resize(uint32_t width, uint32_t height, std::span<const VkImage> images) = 0;
 
   // Takes over a frame. False when the window would show what it shows already.
   virtual bool prepare(const ImDrawData& data) = 0;

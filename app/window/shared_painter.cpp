@@ -4,7 +4,6 @@
 #include "app/window/cpu_rasteriser.h"
 #include "app/window/painter.h"
 #include "app/window/shared_window.h"
-#include "engine/core/error.h"
 
 namespace vamp::window {
 namespace {
@@ -14,10 +13,9 @@ class SharedPainter final : public Painter {
   SharedPainter(std::unique_ptr<SharedWindow> window, const Textures& textures)
       : window_(std::move(window)), raster_(textures) {}
 
-  void resize(uint32_t width, uint32_t height, std::span<const VkImage>) override {
-    if (!window_->resize(static_cast<int>(width), static_cast<int>(height)))
-      throw MachineError(ErrorKind::failed, "there is no memory to share with the X server");
+  bool resize(uint32_t width, uint32_t height, std::span<const VkImage>) override {
     raster_.forget();
+    return window_->resize(static_cast<int>(width), static_cast<int>(height));
   }
 
   bool prepare(const ImDrawData& data) override {

@@ -58,7 +58,7 @@ class VulkanPainter final : public Painter {
     vkDestroyDescriptorSetLayout(d, set_layout_, nullptr);
   }
 
-  void resize(uint32_t width, uint32_t height, std::span<const VkImage> images) override {
+  bool resize(uint32_t width, uint32_t height, std::span<const VkImage> images) override {
     // The swapchain has waited for the queue before it made new images.
     release_targets();
     extent_ = {width, height};
@@ -81,6 +81,7 @@ class VulkanPainter final : public Painter {
       require(vkCreateFramebuffer(device_.handle(), &target, nullptr, &targets_.back()), "window image");
     }
     forget();
+    return true;
   }
 
   bool prepare(const ImDrawData& data) override {

@@ -90,7 +90,20 @@ struct Window::State {
     input.reset();
     if (window != nullptr) glfwDestroyWindow(window);
   }
+
+  Status paint_through_vulkan(bool on_cpu);
 };
+
+Status Window::State::paint_through_vulkan(bool on_cpu) {
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  if (glfwCreateWindowSurface(device->instance(), window, nullptr, &surface) != VK_SUCCESS) {
+    return fail(ErrorKind::no_device, device->info().name, "window", "a Vulkan surface (VK_KHR_surface)", glfw_error());
+  }
+  VAMP_TRY(Swapchain chain, Swapchain::create(*device, surface));
+  swapchain = std::make_unique<Swapchain>(std::move(chain));
+  painter = on_cpu ? make_cpu_painter(*device, *textures) : make_vulkan_painter(*device, *textures);
+  return {};
+}
 
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Window::~Window() = default;
@@ -129,16 +142,7 @@ Result<std::unique_ptr<Window>> Window::open(gpu::Device& device, Textures& text
   const bool on_cpu =
       options.renderer == UiRenderer::automatic ? device.info().is_cpu : options.renderer == UiRenderer::cpu;
   if (on_cpu) state->painter = make_shared_painter(state->window, textures);
-  if (!state->painter) {
-    VkSurfaceKHR surface = VK_NULL_HANDLE;
-    if (glfwCreateWindowSurface(device.instance(), state->window, nullptr, &surface) != VK_SUCCESS) {
-      return fail(ErrorKind::no_device, device.info().name, "window", "a Vulkan surface (VK_KHR_surface)",
-                  glfw_error());
-    }
-    VAMP_TRY(Swapchain chain, Swapchain::create(device, surface));
-    state->swapchain = std::make_unique<Swapchain>(std::move(chain));
-    state->painter = on_cpu ? make_cpu_painter(device, textures) : make_vulkan_painter(device, textures);
-  }
+  if (!state->painter) VAMP_CHECK_STATUS(state->paint_through_vulkan(on_cpu));
   float across = 1;
   glfwGetWindowContentScale(state->window, &across, nullptr);
   state->scale = options.scale > 0 ? options.scale : across;
@@ -194,7 +198,12 @@ bool Window::fit(uint32_t width, uint32_t height) {
     s.extent = s.swapchain->extent();
     for (uint32_t i = 0; i < s.swapchain->count(); ++i) images.push_back(s.swapchain->image(i));
   }
-  s.painter->resize(s.extent.width, s.extent.height, images);
+  if (!s.painter->resize(s.extent.width, s.extent.height, images)) {
+    spdlog::warn("the X server shares no memory for {} x {} pixels: the window goes on through Vulkan", width, height);
+    const Status made = s.paint_through_vulkan(true);
+    if (!made) throw MachineError(made.error().kind, made.error().message());
+    return fit(width, height);
+  }
   s.outdated = false;
   return true;
 }
