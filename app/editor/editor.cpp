@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "app/editor/background_device.h"
 #include "editor/panels/view_commands.h"
@@ -55,6 +56,7 @@ Editor::Editor(gpu::Device& device, window::Window& window, window::Textures& te
     if (session_) session_->pause(running || context_.paused);
   };
   if (options_.tell) teller_.emplace();
+  prepare_device();
   connect_context();
   ui::add_panels(dock_, panels_, context_);
   add_actions();
@@ -105,13 +107,23 @@ void Editor::take_document(bool fresh) {
   if (session_) session_->set_project(document_.project(), "Opened " + files_.title());
 }
 
+// What is measured at the first start takes longer than a frame.
+void Editor::prepare_device() {
+  coming_device_ = std::async(std::launch::async, [this] {
+    auto device = background_device(device_);
+    if (device) tune_fetch_path(**device);
+    window_.wake();
+    return device;
+  });
+}
+
 void Editor::start_renderer() {
   if (session_ || !files_.ready() || viewport_width_ == 0) return;
   if (!render_device_) {
-    auto device = background_device(device_);
+    if (coming_device_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    auto device = coming_device_.get();
     if (!device) throw MachineError(device.error().kind, device.error().message());
     render_device_ = std::move(*device);
-    tune_fetch_path(*render_device_);
   }
   const uint64_t memory =
       options_.edit_memory < 0 ? RenderSession::kAutomaticMemory : static_cast<uint64_t>(options_.edit_memory) << 20;
@@ -175,6 +187,7 @@ void Editor::restart_renderer() {
   context_.session = nullptr;
   session_ = nullptr;
   render_device_ = nullptr;  // perhaps it was lost
+  prepare_device();
   picture_.clear();
   told_error_.clear();
   lost_ = {};

@@ -1,6 +1,7 @@
 #pragma once
 // The editor while its window is open: the document with everything that follows it, what the menus do, what is drawn.
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@
 #include "editor/widgets/dock.h"
 #include "editor/widgets/shell.h"
 #include "engine/core/clock.h"
+#include "engine/core/error.h"
 
 namespace vamp {
 
@@ -79,6 +81,7 @@ class Editor {
 
   void connect_context();
   void take_document(bool fresh);
+  void prepare_device();
   void start_renderer();
   void update_renderer();
   void measure_frames();
@@ -110,6 +113,7 @@ class Editor {
   ViewportPicture picture_;
   ui::PanelContext context_;
   ui::Panels panels_;
+  std::future<Result<std::unique_ptr<gpu::Device>>> coming_device_;  // until it is here
   std::unique_ptr<gpu::Device> render_device_;
   std::unique_ptr<RenderSession> session_;
 

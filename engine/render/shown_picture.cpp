@@ -26,13 +26,21 @@ void ShownPicture::draw(std::shared_ptr<const Project> project, const Renderer& 
 
 void ShownPicture::resize(int width, int height) {
   constexpr uint32_t kDark = 0xff202020u;
-  {
-    const std::lock_guard lock(mutex_);
-    picture_.width = width;
-    picture_.height = height;
-    picture_.pixels.assign(static_cast<size_t>(width) * static_cast<size_t>(height), kDark);
-  }
   forget_ids();
+  const std::lock_guard lock(mutex_);
+  // The old picture, stretched, until the first look at the new one is there.
+  const PixelLayer old = std::move(picture_);
+  picture_.width = width;
+  picture_.height = height;
+  picture_.pixels.assign(static_cast<size_t>(width) * static_cast<size_t>(height), kDark);
+  if (old.pixels.empty()) return;
+  for (int y = 0; y < height; ++y) {
+    const size_t row = static_cast<size_t>(y * int64_t{old.height} / height) * static_cast<size_t>(old.width);
+    for (int x = 0; x < width; ++x)
+      picture_.pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] =
+          old.pixels[row + static_cast<size_t>(x * int64_t{old.width} / width)];
+  }
+  version_.store(++picture_.version, std::memory_order_release);
 }
 
 void ShownPicture::show_tile(Renderer& renderer, int tile, uint64_t value) {
