@@ -11,20 +11,51 @@ namespace {
 // Rec.709.
 float luminance(const float* rgba) { return 0.2126f * rgba[0] + 0.7152f * rgba[1] + 0.0722f * rgba[2]; }
 
-// The median of 3 x 3 pixels. A pixel's own luminance, which its error is to be related to, makes little of the very
-// errors that count most, those of pixels that are far too bright; the median makes too much of what is brighter than
-// its surroundings. Each misses by up to a third, in opposite ways, on the scenes of `vamp bench noise`: the mean of
-// both is taken.
-float typical_luminance(const std::vector<float>& linear, int width, int x, int y) {
-  const int height = static_cast<int>(linear.size() / 4) / width;
-  std::array<float, 9> near{};
-  auto end = near.begin();
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
-      *end++ = luminance(&linear[4 * (static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u))]);
-  const auto middle = near.begin() + (end - near.begin()) / 2;
-  std::nth_element(near.begin(), middle, end);
-  return *middle;
+// The median of each pixel's 3 x 3 surroundings; beyond the border the picture goes on as at the border.
+std::vector<float> medians_of_3x3(const std::vector<float>& values, int width) {
+  const auto w = static_cast<size_t>(width);
+  const size_t height = values.size() / w;
+  // With a column more at both ends, so that the compiler can work on many pixels of a row at once.
+  std::array<std::vector<float>, 3> rows;
+  for (auto& row : rows) row.resize(w + 2);
+  const auto load = [&](std::vector<float>& row, size_t y) {
+    std::copy_n(&values[y * w], w, row.begin() + 1);
+    row.front() = row[1];
+    row.back() = row[w];
+  };
+  std::vector<float> medians(values.size());
+  const auto order = [](float& a, float& b) {
+    const float low = std::min(a, b), high = std::max(a, b);
+    a = low;
+    b = high;
+  };
+  const auto sort = [order](float& a, float& b, float& c) {
+    order(a, b);
+    order(b, c);
+    order(a, b);
+  };
+  for (size_t y = 0; y < height; ++y) {
+    load(rows[0], y > 0 ? y - 1 : 0);
+    load(rows[1], y);
+    load(rows[2], std::min(y + 1, height - 1));
+    const float *top = rows[0].data(), *middle = rows[1].data(), *bottom = rows[2].data();
+    float* out = &medians[y * w];
+    for (size_t x = 0; x < w; ++x) {
+      float a = top[x], b = top[x + 1], c = top[x + 2];
+      float d = middle[x], e = middle[x + 1], f = middle[x + 2];
+      float g = bottom[x], h = bottom[x + 1], i = bottom[x + 2];
+      // The median of three: the highest of the rows' lowest, the middle of their middle ones, the lowest of their
+      // highest.
+      sort(a, b, c);
+      sort(d, e, f);
+      sort(g, h, i);
+      float low = std::max(std::max(a, d), g), high = std::min(std::min(c, f), i);
+      sort(b, e, h);
+      sort(low, e, high);
+      out[x] = e;
+    }
+  }
+  return medians;
 }
 
 }  // namespace
@@ -51,7 +82,14 @@ bool NoiseEstimate::due(std::span<const uint32_t> samples_of_tiles) const {
 }
 
 void NoiseEstimate::add(std::span<const uint32_t> samples_of_tiles, const std::vector<float>& linear) {
-  luminance_.resize(linear.size() / 4);
+  std::vector<float> now(linear.size() / 4);
+  for (size_t i = 0; i < now.size(); ++i) now[i] = luminance(&linear[4 * i]);
+  luminance_.resize(now.size());
+  // A pixel's own luminance, which its error is to be related to, makes little of the very errors that count most,
+  // those of pixels that are far too bright; the median of its surroundings makes too much of what is brighter than
+  // they are. Each misses by up to a third, in opposite ways, on the scenes of `vamp bench noise`: the mean of both is
+  // taken.
+  const std::vector<float> typical = medians_of_3x3(now, width_);
   for (size_t t = 0; t < tiles_.size(); ++t) {
     Tile& tile = tiles_[t];
     const uint32_t samples = samples_of_tiles[t];
@@ -60,11 +98,9 @@ void NoiseEstimate::add(std::span<const uint32_t> samples_of_tiles, const std::v
     for (int y = tile.area.y; y < tile.area.y + tile.area.height; ++y)
       for (int x = tile.area.x; x < tile.area.x + tile.area.width; ++x) {
         const size_t i = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-        const float now = luminance(&linear[4 * i]);
-        const double d = double{now} - double{luminance_[i]};
-        const double own{now}, typical{typical_luminance(linear, width_, x, y)};
-        sum += d * d * 0.5 * (1 / (own * own + 0.01) + 1 / (typical * typical + 0.01));
-        luminance_[i] = now;
+        const double d = double{now[i]} - double{luminance_[i]}, own{now[i]}, near{typical[i]};
+        sum += d * d * 0.5 * (1 / (own * own + 0.01) + 1 / (near * near + 0.01));
+        luminance_[i] = now[i];
       }
     if (samples == 2 * tile.shown) {
       tile.d2_before = samples == 2 * tile.compared ? tile.d2 : 0;
