@@ -273,15 +273,19 @@ uint64_t Renderer::recompose() {
   return device_->submit(std::move(list));
 }
 
-uint64_t Renderer::render_aov() {
+uint64_t Renderer::render_aov(std::span<const Region> areas) {
   gpu::CommandList list = device_->begin("layers");
   list.bind(kernels_.get(Pass::aov, key_), set_);
-  for (const Region& area : tiles_) {
+  for (const Region& area : areas) {
     list.push(push_of(area, 0));
     list.dispatch(groups(static_cast<uint32_t>(area.width)), groups(static_cast<uint32_t>(area.height)));
   }
   return device_->submit(std::move(list));
 }
+
+uint64_t Renderer::render_aov() { return render_aov(tiles_); }
+
+uint64_t Renderer::render_aov(int tile) { return render_aov(std::span(&tiles_[static_cast<size_t>(tile)], 1)); }
 
 uint64_t Renderer::render_occlusion(uint32_t first_sample, uint32_t samples) {
   uint64_t value = device_->last_submitted();
@@ -350,6 +354,11 @@ vec3 Renderer::plane_emission(uint32_t plane) const {
 
 std::vector<uint32_t> Renderer::display_picture(uint64_t after) {
   return device_->readback_rows<uint32_t>(display_, 0, display_.count(), after);
+}
+
+std::vector<vec4> Renderer::aov_layer(uint32_t layer, uint64_t after) {
+  const uint64_t pixels = display_.count();
+  return device_->readback_rows<vec4>(aov_, layer * pixels, pixels, after);
 }
 
 std::vector<float> Renderer::aov_layers(uint64_t after) {

@@ -122,8 +122,12 @@ class Renderer {
   // Shows all tiles again from their accumulators.
   uint64_t recompose();
 
-  // Layers of the pixels' centres (shaders/passes/aov.comp), and `samples` of the occlusion layer.
+  // Layers of the pixels' centres (shaders/passes/aov.comp), of a tile or all of them, and `samples` of the occlusion
+  // layer.
+  uint64_t render_aov(int tile);
   uint64_t render_aov();
+  // Whether the kernel for them is there.
+  bool has_aov_kernel() const { return kernels_.ready(Pass::aov, key_); }
   uint64_t render_occlusion(uint32_t first_sample, uint32_t samples);
 
   uint64_t last_submitted() const;
@@ -134,7 +138,8 @@ class Renderer {
   // The accumulators themselves: compensated sums, [plane][pixel][4].
   std::vector<float> accumulators(uint64_t after);
   std::vector<uint32_t> display_picture(uint64_t after);
-  // [layer][pixel][4], three layers.
+  // One of the layers; [layer][pixel][4], all three of them.
+  std::vector<vec4> aov_layer(uint32_t layer, uint64_t after);
   std::vector<float> aov_layers(uint64_t after);
   // The displayed picture where the host sees it, else nullptr.
   const uint32_t* mapped_display() const;
@@ -153,6 +158,7 @@ class Renderer {
   Status sums_fit(uint32_t planes, int width, int height) const;
   uint64_t submit_batch(const frame::TilePush& push, bool list_of_pixels, bool trace, uint32_t batch,
                         const gpu::DescriptorSet& set);
+  uint64_t render_aov(std::span<const Region> areas);
   void begin_replay(uint32_t touched, Change& change);
   // Pixels of the wanted tiles that have seen one of these clusters, tile by tile.
   std::vector<uint32_t> pixels_that_see(uint32_t clusters, const std::vector<bool>& tiles) const;

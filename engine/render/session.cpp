@@ -292,7 +292,7 @@ class RenderSession::Impl {
     start_ = Clock::now();
     pass_start_ = start_;
     goal_.restart(renderer_);
-    ids_stale_ = true;
+    forget_ids();
     shown_.set_all_restarted();
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
@@ -315,7 +315,7 @@ class RenderSession::Impl {
     owes_picture_ = true;
     goal_.forget_picture();
     shown_.set_restarted(renderer_.replayed_pixels());
-    ids_stale_ = ids_stale_ || change.places_moved;
+    if (change.places_moved) forget_ids();
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
     status_.restarted_pixels = change.reshaded;
@@ -360,6 +360,9 @@ class RenderSession::Impl {
     uint32_t batch = 0;
     if (cursor_ < renderer_.tile_count()) {
       const uint32_t before = renderer_.samples_of(cursor_);
+      // Not before the first picture, and in parts: all of them would keep the tiles waiting for 70 ms.
+      if (ids_stale_ && ids_drawn_ == cursor_ && before > 0 && renderer_.has_aov_kernel())
+        renderer_.render_aov(ids_drawn_++);
       const uint64_t value = renderer_.refine(cursor_, settings.max_samples);
       device_.wait(value);
       shown_.show_tile(renderer_, cursor_, value);
@@ -376,13 +379,13 @@ class RenderSession::Impl {
       pass_ms_.push_back(1e3 * seconds_since(pass_start_) / batch);
       if (pass_ms_.size() > 9) pass_ms_.pop_front();
     }
-    if (ids_stale_) update_ids();
     if (samples >= SAMPLES_PER_HIT && prepared_ != renderer_.key()) {
       prepared_ = renderer_.key();
       device_.wait(renderer_.prepare_replay());
     }
     goal_.look(renderer_);
     finished_ = reached();
+    if (ids_stale_ && (finished_ || ids_drawn_ == renderer_.tile_count())) update_ids();
     std::vector<double> sorted(pass_ms_.begin(), pass_ms_.end());
     std::sort(sorted.begin(), sorted.end());
     {
@@ -402,8 +405,14 @@ class RenderSession::Impl {
     pass_whole_ = true;
   }
 
+  void forget_ids() {
+    ids_stale_ = true;
+    ids_drawn_ = 0;
+  }
+
   void update_ids() {
-    coverage_ = shown_.draw_ids(renderer_);
+    const bool drawn = ids_drawn_ == renderer_.tile_count();
+    coverage_ = shown_.read_ids(renderer_, drawn ? renderer_.last_submitted() : renderer_.render_aov());
     ids_stale_ = false;
   }
 
@@ -436,6 +445,7 @@ class RenderSession::Impl {
   bool owes_picture_ = false;  // of the last edit, all of it
   bool pass_whole_ = true;     // pass_start_ was at its first tile
   bool ids_stale_ = true;
+  int ids_drawn_ = 0;  // tiles of which they are drawn anew, in their order
   std::shared_ptr<const Project> waits_for_kernels_;
   KernelKey prepared_;  // for which replay's kernels are compiled
   double coverage_ = 1;

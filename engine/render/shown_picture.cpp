@@ -78,21 +78,20 @@ void ShownPicture::forget_ids() {
   if (!ids_.pixels.empty()) replace(ids_, {});
 }
 
-double ShownPicture::draw_ids(Renderer& renderer) {
-  const std::vector<float> layers = renderer.aov_layers(renderer.render_aov());
-  const Region& region = renderer.region();
-  const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
-  std::vector<uint32_t> ids(pixels);
+double ShownPicture::read_ids(Renderer& renderer, uint64_t value) {
+  // Layer 1: texture coordinates, part, cluster.
+  const std::vector<vec4> layer = renderer.aov_layer(1, value);
+  std::vector<uint32_t> ids(layer.size());
   size_t covered = 0;
-  for (size_t i = 0; i < pixels; ++i) {
-    const float part = layers[4 * (pixels + i) + 2], cluster = layers[4 * (pixels + i) + 3];
+  for (size_t i = 0; i < layer.size(); ++i) {
+    const float part = layer[i].z, cluster = layer[i].w;
     if (part < 0) continue;
     ++covered;
     ids[i] = (static_cast<uint32_t>(part) + 1) | static_cast<uint32_t>(cluster + 1) << 16;
   }
   const std::lock_guard lock(mutex_);
   replace(ids_, std::move(ids));
-  return static_cast<double>(covered) / static_cast<double>(pixels);
+  return static_cast<double>(covered) / static_cast<double>(layer.size());
 }
 
 void ShownPicture::set_restarted(const std::vector<uint32_t>& pixels) {

@@ -40,8 +40,8 @@ class ShownPicture {
   void show_all(Renderer& renderer, uint64_t value);
   // What was drawn from them would stand where things were.
   void forget_ids();
-  // Has the renderer say what each pixel's centre is of, and returns the share of pixels that show the model.
-  double draw_ids(Renderer& renderer);
+  // What each pixel's centre is of, from layers drawn until `value`; returns the share of pixels that show the model.
+  double read_ids(Renderer& renderer, uint64_t value);
   // 1 for each of these pixels, 0 for the others; all of them.
   void set_restarted(const std::vector<uint32_t>& pixels);
   void set_all_restarted();
