@@ -331,8 +331,9 @@ class RenderSession::Impl {
     owes_picture_ = false;
     const uint32_t samples = renderer_.replayed_samples();
     const bool over = !renderer_.replaying();
-    if (over && ids_stale_) update_ids();
     finished_ = over && reached();
+    // Else the tiles that follow bring them.
+    if (finished_ && ids_stale_) update_ids();
     pass_start_ = Clock::now();
     pass_whole_ = cursor_ == 0;
     const std::lock_guard lock(mutex_);
