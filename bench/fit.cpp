@@ -101,7 +101,7 @@ Figure panels(const std::vector<const FitMaterial*>& materials, const std::vecto
               const char* unit, double low, double high) {
   constexpr float kWidth = 300, kHeight = 230;
   const float bottom = kHeight * static_cast<float>((all.size() + 2) / 3);
-  Figure figure(static_cast<int>(3 * kWidth), static_cast<int>(bottom) + 24);
+  Figure figure(static_cast<int>(3 * kWidth), static_cast<int>(bottom) + 42);
   for (size_t i = 0; i < all.size(); ++i) {
     const vec2 corner(kWidth * static_cast<float>(i % 3), kHeight * static_cast<float>(i / 3));
     // Each panel ends at the SRF's error, the largest but for rounding.
@@ -140,13 +140,17 @@ Figure panels(const std::vector<const FitMaterial*>& materials, const std::vecto
   }
   const float line = bottom + 12;
   figure.words({20, line}, fmt::format("relative RMSE between the measured directions, by {}", unit), 11, Anchor::left);
-  const std::pair<const char*, vec3> kinds[] = {
-      {"functions, mean, 1 to 4 terms", kBlue}, {"shared residual", kGreen}, {"truncated SVD", kGrey}, {"SRF", kRed}};
-  float x = 420;
+  const std::pair<std::string, vec3> kinds[] = {
+      {fmt::format("functions, mean, 1 to 4 terms, with {} and with {} clusters", kSmallFitClusters, kFitClusters),
+       kBlue},
+      {"shared residual", kGreen},
+      {"truncated SVD", kGrey},
+      {"SRF", kRed}};
+  float x = 20;
   for (const auto& [name, colour] : kinds) {
-    figure.area({x, line - 4}, vec2(8), colour);
-    figure.words({x + 12, line}, name, 11, Anchor::left);
-    x += 30 + 5.4f * static_cast<float>(std::string_view(name).size());
+    figure.area({x, line + 14}, vec2(8), colour);
+    figure.words({x + 12, line + 18}, name, 11, Anchor::left);
+    x += 30 + 5.4f * static_cast<float>(name.size());
   }
   return figure;
 }
