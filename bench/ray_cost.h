@@ -1,7 +1,8 @@
 #pragma once
-// The program's rays beside Embree's: the very same ones, in alternating rounds.
-#include <array>
+// The program's rays, and the device's own where it has ray queries, beside Embree's: the very same ones, in
+// alternating rounds.
 #include <memory>
+#include <optional>
 
 #include "bench/ray_kernel.h"
 #include "engine/core/json.h"
@@ -16,15 +17,20 @@ class RayCost {
 
   void round();
 
+  struct Traced {
+    RayKernel kernel;
+    size_t otherwise = 0;  // rays of which Embree says something else: hit or not, or 1e-4 nearer or farther
+    Series series;
+  };
   struct Kind {
     const char* name;
     std::vector<ReadyRay> rays;
-    RayKernel kernel;
-    size_t otherwise = 0;  // rays of which Embree says something else: hit or not, or 1e-4 nearer or farther
-    Series ours, embree;
+    Traced own;
+    std::optional<Traced> queries;
+    Series embree;
 
     // Of Embree's speed.
-    double ratio() const { return embree.cpu() / ours.cpu(); }
+    double ratio(const Traced& traced) const { return embree.cpu() / traced.series.cpu(); }
     double million_a_second(const Series& series) const {
       return static_cast<double>(rays.size()) / series.cpu() * 1e-3;
     }
@@ -33,11 +39,11 @@ class RayCost {
   const std::vector<Kind>& kinds() const { return kinds_; }  // primary, shadow, ambient
 
  private:
-  RayCost(const Scene& scene, GpuTree tree)
-      : embree_(scene.positions, scene.triangles, EmbreeScene::Edges::fast), tree_(std::move(tree)) {}
+  explicit RayCost(const Scene& scene) : embree_(scene.positions, scene.triangles, EmbreeScene::Edges::fast) {}
 
   EmbreeScene embree_;
-  GpuTree tree_;
+  GpuTree own_;
+  std::optional<GpuTree> queries_;
   std::vector<Kind> kinds_;
 };
 

@@ -1,18 +1,16 @@
 #include "bench/ray_kernel.h"
 
-#include "bench/rays_shared.h"
 #include "engine/core/check.h"
 #include "engine/gpu/device.h"
-#include "engine/render/fetch_path.h"
 #include "shaders/spirv.h"
 
 namespace vamp {
 namespace {
 
 // What the traversal reads; the tree's own fetches, and the rays.
-const std::vector<gpu::Binding>& ray_bindings() {
+std::vector<gpu::Binding> ray_bindings(const TracePath& path) {
   using enum gpu::BindingType;
-  static const std::vector<gpu::Binding> bindings = {
+  std::vector<gpu::Binding> bindings = {
       {BINDING_PARAMS, storage_buffer},
       {BINDING_NODES, uniform_texel},
       {BINDING_BOXES, uniform_texel},
@@ -23,16 +21,32 @@ const std::vector<gpu::Binding>& ray_bindings() {
       {BINDING_READY_RAYS, uniform_texel},
       {BINDING_FOUND, storage_buffer},
   };
+  if (path.ray_queries) bindings.push_back({BINDING_RAYS, acceleration_structure});
   return bindings;
+}
+
+std::vector<gpu::Bound> bound_tables(const GpuTree& tree, const gpu::TexelView& rays, const gpu::Buffer& found) {
+  const GpuScene& tables = tree.tables;
+  std::vector<gpu::Bound> bound = {{BINDING_PARAMS, tables.params},
+                                   {BINDING_NODES, tables.nodes.view},
+                                   {BINDING_BOXES, tables.boxes.view},
+                                   {BINDING_TRIANGLES, tables.triangles.view},
+                                   {BINDING_NODES_STORAGE, tables.nodes.rows},
+                                   {BINDING_BOXES_STORAGE, tables.boxes.rows},
+                                   {BINDING_TRIANGLES_STORAGE, tables.triangles.rows},
+                                   {BINDING_READY_RAYS, rays},
+                                   {BINDING_FOUND, found}};
+  if (tree.path.ray_queries) bound.emplace_back(BINDING_RAYS, tables.rays);
+  return bound;
 }
 
 }  // namespace
 
-Result<GpuTree> GpuTree::make(gpu::Device& device, const Scene& scene) {
+Result<GpuTree> GpuTree::make(gpu::Device& device, const Scene& scene, const TracePath& path) {
   GpuTree tree;
   const SceneTables tables = build_scene_tables(scene, std::vector<bool>(scene.parts.size(), true));
-  tree.storage_fetch = fetch_path(device.info()).storage;
-  VAMP_TRY(const uint64_t bytes, tree.tables.send_scene(device, tables, tree.storage_fetch));
+  tree.path = path;
+  VAMP_TRY(const uint64_t bytes, tree.tables.send_scene(device, tables, path));
   static_cast<void>(bytes);
   frame::FrameParams params{};
   params.grid_origin = tables.bvh.grid_origin;
@@ -51,23 +65,14 @@ RayKernel::RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion quest
       rays_view_(device, rays_, VK_FORMAT_R32G32B32A32_SFLOAT),
       found_(device, "found", rays.size()),
       pipeline_(device, {.name = "rays",
-                         .spirv = spirv::rays_comp(),
-                         .bindings = ray_bindings(),
+                         .spirv = tree.path.ray_queries ? spirv::rays_comp_ray_query() : spirv::rays_comp(),
+                         .bindings = ray_bindings(tree.path),
                          .push_bytes = sizeof(frame::TilePush),
                          .constants = {{SPEC_NEAREST, question == RayQuestion::nearest},
-                                       {SPEC_STORAGE_FETCH, tree.storage_fetch},
+                                       {SPEC_STORAGE_FETCH, tree.path.storage_fetch},
                                        {SPEC_SAMPLES, SAMPLES_PER_HIT},
                                        {SPEC_ALPHA_MASK, false}}}),
-      set_(device, pipeline_,
-           {{BINDING_PARAMS, tree.tables.params},
-            {BINDING_NODES, tree.tables.nodes.view},
-            {BINDING_BOXES, tree.tables.boxes.view},
-            {BINDING_TRIANGLES, tree.tables.triangles.view},
-            {BINDING_NODES_STORAGE, tree.tables.nodes.rows},
-            {BINDING_BOXES_STORAGE, tree.tables.boxes.rows},
-            {BINDING_TRIANGLES_STORAGE, tree.tables.triangles.rows},
-            {BINDING_READY_RAYS, rays_view_},
-            {BINDING_FOUND, found_}}) {
+      set_(device, pipeline_, bound_tables(tree, rays_view_, found_)) {
   CHECK(question == RayQuestion::nearest || rays.size() % SAMPLES_PER_HIT == 0);
   device.upload_rows<ReadyRay>(rays_, 0, rays);
   run();  // compiles
@@ -85,8 +90,8 @@ Times RayKernel::run() {
   return watch.stop();
 }
 
-std::vector<float> RayKernel::found() const {
-  return device_->readback_rows<float>(found_, 0, found_.count(), device_->last_submitted());
+std::vector<Found> RayKernel::found() const {
+  return device_->readback_rows<Found>(found_, 0, found_.count(), device_->last_submitted());
 }
 
 }  // namespace vamp

@@ -3,17 +3,18 @@
 #include <memory>
 #include <vector>
 
+#include "bench/rays_shared.h"
 #include "bench/ready_rays.h"
 #include "engine/render/gpu_scene.h"
 
 namespace vamp {
 
-// A scene's tree on the device.
+// A scene's triangles on the device, with what the kernels need to trace them.
 struct GpuTree {
   // Errors: a scene too large for the device.
-  static Result<GpuTree> make(gpu::Device& device, const Scene& scene);
+  static Result<GpuTree> make(gpu::Device& device, const Scene& scene, const TracePath& path);
   GpuScene tables;
-  bool storage_fetch = false;  // as the renderer fetches
+  TracePath path;
 };
 
 class RayKernel {
@@ -22,15 +23,15 @@ class RayKernel {
   RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion question, std::span<const ReadyRay> rays);
 
   Times run();
-  // For each ray the nearest hit's distance, or 1 where nothing is in the way; else -1. After run().
-  std::vector<float> found() const;
+  // For each ray. After run().
+  std::vector<Found> found() const;
 
  private:
   gpu::Device* device_;
   uint32_t invocations_;
   gpu::TypedBuffer<ReadyRay> rays_;
   gpu::TexelView rays_view_;
-  gpu::TypedBuffer<float> found_;
+  gpu::TypedBuffer<Found> found_;
   gpu::ComputePipeline pipeline_;
   gpu::DescriptorSet set_;
 };

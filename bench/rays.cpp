@@ -33,9 +33,13 @@ Result<Report> bench_rays(gpu::Device& device, Project project, const RaysBench&
   report.table({"rays", "number", "ours, Mrays/s", "Embree, Mrays/s", "ours / Embree", "asked (aim)", "other answers"});
   for (size_t i = 0; i < cost->kinds().size(); ++i) {
     const RayCost::Kind& kind = cost->kinds()[i];
-    report.row({kind.name, fmt::format("{}", fmt::group_digits(kind.rays.size())), speed(kind, kind.ours),
-                speed(kind, kind.embree), fmt::format("{:.2f}", kind.ratio()),
-                fmt::format("{:.2f} ({:.2f})", kAsked[i].least, kAsked[i].aim), std::to_string(kind.otherwise)});
+    const auto row = [&](const std::string& name, const RayCost::Traced& traced) {
+      report.row({name, fmt::format("{}", fmt::group_digits(kind.rays.size())), speed(kind, traced.series),
+                  speed(kind, kind.embree), fmt::format("{:.2f}", kind.ratio(traced)),
+                  fmt::format("{:.2f} ({:.2f})", kAsked[i].least, kAsked[i].aim), std::to_string(traced.otherwise)});
+    };
+    row(kind.name, kind.own);
+    if (kind.queries) row(fmt::format("{}, ray queries", kind.name), *kind.queries);
     report.data()[kind.name] = kind.json();
   }
   return report;
@@ -71,7 +75,7 @@ Result<Report> bench_triangles(gpu::Device& device, const TrianglesBench& option
     std::vector<std::string> cells = {size.triangles};
     Json row = {{"triangles", size.triangles}};
     for (const RayCost::Kind& kind : size.rays->kinds()) {
-      cells.push_back(fmt::format("{:.1f} ({:.2f})", kind.million_a_second(kind.ours), kind.ratio()));
+      cells.push_back(fmt::format("{:.1f} ({:.2f})", kind.million_a_second(kind.own.series), kind.ratio(kind.own)));
       row[kind.name] = kind.json();
     }
     for (const Series* series : {&size.sample->single, &size.sample->batch})
@@ -88,8 +92,8 @@ Result<Report> bench_triangles(gpu::Device& device, const TrianglesBench& option
     std::vector<std::string> cells = {fmt::format("{} for {} triangles", now.triangles, before.triangles)};
     const auto ratio = [&](double later, double earlier) { cells.push_back(fmt::format("{:.2f}", later / earlier)); };
     for (size_t k = 0; k < now.rays->kinds().size(); ++k)
-      ratio(1 / now.rays->kinds()[k].million_a_second(now.rays->kinds()[k].ours),
-            1 / before.rays->kinds()[k].million_a_second(before.rays->kinds()[k].ours));
+      ratio(1 / now.rays->kinds()[k].million_a_second(now.rays->kinds()[k].own.series),
+            1 / before.rays->kinds()[k].million_a_second(before.rays->kinds()[k].own.series));
     ratio(now.sample->single.cpu(), before.sample->single.cpu());
     ratio(now.sample->batch.cpu(), before.sample->batch.cpu());
     report.row(std::move(cells));

@@ -7,7 +7,7 @@
 #include "app/commands/command.h"
 #include "app/version.h"
 #include "engine/gpu/device.h"
-#include "engine/render/fetch_path.h"
+#include "engine/render/trace_path.h"
 
 namespace vamp {
 namespace {
@@ -26,8 +26,7 @@ Status print_devices() {
   VAMP_TRY(const auto devices, gpu::list_devices());
   for (const gpu::DeviceInfo& device : devices)
     fmt::print("{}: {} ({}, {}), {}\n", device.index, device.name, gpu::name_of(device.type), device.driver,
-               device.unsuitable.empty() ? "fetches through " + words_of(fetch_path(device))
-                                         : "cannot serve: " + device.unsuitable);
+               device.unsuitable.empty() ? words_of(trace_paths(device)) : "cannot serve: " + device.unsuitable);
   return {};
 }
 
@@ -66,7 +65,7 @@ void add_help(CLI::App& app, Action& action) {
 
 Result<std::unique_ptr<gpu::Device>> open_device(const CommonOptions& options) {
   VAMP_TRY(auto device, gpu::Device::create({.device = options.device, .validate = options.validate}));
-  tune_fetch_path(*device);
+  tune_trace_paths(*device);
   return device;
 }
 

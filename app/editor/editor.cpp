@@ -15,7 +15,7 @@
 #include "engine/core/files.h"
 #include "engine/core/log.h"
 #include "engine/gpu/device.h"
-#include "engine/render/fetch_path.h"
+#include "engine/render/trace_path.h"
 
 namespace vamp {
 namespace {
@@ -111,7 +111,7 @@ void Editor::take_document(bool fresh) {
 void Editor::prepare_device() {
   coming_device_ = std::async(std::launch::async, [this] {
     auto device = background_device(device_);
-    if (device) tune_fetch_path(**device);
+    if (device) tune_trace_paths(**device);
     window_.wake();
     return device;
   });

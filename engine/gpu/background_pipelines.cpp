@@ -9,6 +9,7 @@
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/gpu/acceleration_structure.h"
 #include "engine/gpu/device.h"
 #include "engine/gpu/driver_cache.h"
 #include "engine/gpu/resource.h"
@@ -32,14 +33,18 @@ class BackgroundPipelines::Rehearsal {
     auto made = like.sibling();
     if (!made) throw MachineError(made.error().kind, made.error().message());
     device_ = std::move(*made);
-    constexpr Usage kAny = Usage::storage | Usage::uniform | Usage::uniform_texel | Usage::storage_texel;
-    buffer_ = Buffer(*device_, {.name = "rehearsal", .bytes = 4096, .usage = kAny});
+    Usage any = Usage::storage | Usage::uniform | Usage::uniform_texel | Usage::storage_texel;
+    if (device_->info().ray_queries) any = any | Usage::ray_input;
+    buffer_ = Buffer(*device_, {.name = "rehearsal", .bytes = 4096, .usage = any});
     std::vector<Bound> bound;
     std::vector<Binding> bindings;
     views_.reserve(formats.size());
     for (const auto& [binding, format] : formats) {
       bindings.push_back(binding);
-      if (format == VK_FORMAT_UNDEFINED) {
+      if (binding.type == BindingType::acceleration_structure) {
+        if (!rays_) rays_ = AccelerationStructure(*device_, "rehearsal", buffer_, 1);
+        bound.emplace_back(binding.binding, rays_);
+      } else if (format == VK_FORMAT_UNDEFINED) {
         bound.emplace_back(binding.binding, buffer_);
       } else {
         views_.emplace_back(*device_, buffer_, format);
@@ -49,6 +54,9 @@ class BackgroundPipelines::Rehearsal {
     set_ = DescriptorSet(*device_, "rehearsal", bindings, bound);
     CommandList list = device_->begin("rehearsal");
     list.fill(buffer_, 0);
+    device_->submit(std::move(list));
+    list = device_->begin("rehearsal");
+    if (rays_) list.build(rays_);
     device_->wait(device_->submit(std::move(list)));
   }
 
@@ -72,6 +80,7 @@ class BackgroundPipelines::Rehearsal {
   std::unique_ptr<Device> device_;
   Buffer buffer_;
   std::vector<TexelView> views_;
+  AccelerationStructure rays_;
   DescriptorSet set_;
 };
 

@@ -14,6 +14,9 @@
 namespace vamp::gpu {
 namespace {
 
+// Builds of acceleration structures find their buffers by address.
+bool has_address(Usage usage) { return has(usage, Usage::ray_input) || has(usage, Usage::ray_storage); }
+
 VkBufferUsageFlags flags_of(Usage usage) {
   VkBufferUsageFlags flags = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (has(usage, Usage::storage)) flags |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -21,6 +24,9 @@ VkBufferUsageFlags flags_of(Usage usage) {
   if (has(usage, Usage::storage_texel)) flags |= VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
   if (has(usage, Usage::uniform)) flags |= VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
   if (has(usage, Usage::indirect)) flags |= VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+  if (has(usage, Usage::ray_input)) flags |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+  if (has(usage, Usage::ray_storage)) flags |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
+  if (has_address(usage)) flags |= VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
   return flags;
 }
 
@@ -69,7 +75,10 @@ Buffer::Buffer(Device& device, const BufferDesc& desc) {
   vkGetBufferMemoryRequirements(device.handle(), state->buffer, &needs);
   const auto kind = static_cast<size_t>(desc.memory);
   CHECK(needs.memoryTypeBits & (1u << device.memory_type_[kind]));
+  const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                        .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
   const VkMemoryAllocateInfo allocate{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                      .pNext = has_address(desc.usage) ? &flags : nullptr,
                                       .allocationSize = needs.size,
                                       .memoryTypeIndex = device.memory_type_[kind]};
   require(vkAllocateMemory(device.handle(), &allocate, nullptr, &state->memory),

@@ -23,6 +23,9 @@ enum class Usage : uint32_t {
   storage_texel = 4,  // imageBuffer, uimageBuffer
   uniform = 8,        // uniform { ... }
   indirect = 16,      // arguments of dispatch_indirect
+  // Where the device has ray queries:
+  ray_input = 32,    // what an AccelerationStructure is built of
+  ray_storage = 64,  // what it lies in
 };
 constexpr Usage operator|(Usage a, Usage b) {
   return static_cast<Usage>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));

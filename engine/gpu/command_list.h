@@ -13,6 +13,7 @@
 
 namespace vamp::gpu {
 
+class AccelerationStructure;
 class Device;
 class Timestamps;
 class Uploader;
@@ -56,6 +57,9 @@ class CommandList {
   void copy(const Buffer& from, uint64_t from_offset, const Buffer& to, uint64_t to_offset, uint64_t bytes);
   // Offset and size in bytes, multiples of 4 (the end of the buffer may be odd).
   void fill(const Buffer& buffer, uint32_t value, uint64_t offset = 0, uint64_t bytes = VK_WHOLE_SIZE);
+
+  // From the corners that stand in its buffer then, for the first time or after they have moved. Seen by what follows.
+  void build(const AccelerationStructure& structure);
 
   // What was written before is seen by what follows; what follows does not overtake.
   void barrier(Stage from = Stage::compute | Stage::transfer,

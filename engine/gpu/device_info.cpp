@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "engine/gpu/acceleration_structure.h"
 #include "engine/gpu/instance.h"
 
 namespace vamp::gpu {
@@ -146,6 +147,7 @@ DeviceInfo describe(VkPhysicalDevice physical) {
   info.float64 = features.features.shaderFloat64;
   info.storage_16bit = vulkan11.storageBuffer16BitAccess && features.features.shaderInt16;
   info.storage_8bit = vulkan12.storageBuffer8BitAccess && vulkan12.shaderInt8;
+  info.ray_queries = has_ray_queries(physical);
   info.unsuitable = missing(physical, core, vulkan12);
   return info;
 }

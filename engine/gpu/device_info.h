@@ -27,7 +27,7 @@ struct DeviceInfo {
   uint32_t vendor_id = 0;
   uint32_t device_id = 0;
   uint32_t api_version = 0;  // as VK_MAKE_API_VERSION
-  // The driver's own version, such as 22, 3 of Mesa 22.3.6: kernels choose their fetch path by it.
+  // The driver's own version, such as 22, 3 of Mesa 22.3.6: how kernels trace is chosen by it.
   uint32_t driver_major = 0;
   uint32_t driver_minor = 0;
 
@@ -50,6 +50,7 @@ struct DeviceInfo {
   bool float64 = false;        // double precision
   bool storage_16bit = false;  // 16-bit members in storage buffers
   bool storage_8bit = false;   // 8-bit members in storage buffers
+  bool ray_queries = false;    // GL_EXT_ray_query, see acceleration_structure.h
 };
 
 // How a device is made.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/check.h"
+#include "engine/gpu/acceleration_structure.h"
 #include "engine/gpu/machine.h"
 
 namespace vamp::gpu {
@@ -24,11 +25,17 @@ Result<VkDevice> open_device(VkPhysicalDevice physical, uint32_t family, const O
     extensions.push_back(name.c_str());
   }
 
+  RayQueryFeatures rays;
+  const bool ray_queries = has_ray_queries(physical);
+  if (ray_queries) extensions.insert(extensions.end(), rays.extensions.begin(), rays.extensions.end());
+
   VkPhysicalDeviceVulkan12Features has12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
   VkPhysicalDeviceVulkan11Features has11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, &has12};
   VkPhysicalDeviceFeatures2 has{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &has11};
   vkGetPhysicalDeviceFeatures2(physical, &has);
   VkPhysicalDeviceVulkan12Features use12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+  use12.pNext = ray_queries ? &rays.structures : nullptr;
+  use12.bufferDeviceAddress = ray_queries;
   use12.timelineSemaphore = VK_TRUE;
   use12.scalarBlockLayout = VK_TRUE;
   use12.shaderFloat16 = has12.shaderFloat16;

@@ -8,7 +8,7 @@
 namespace vamp::gpu {
 
 // A logical device with one queue of `family`. Needed: timeline semaphores, scalar block layout. Enabled where present:
-// half floats, 16- and 64-bit integers, doubles, small storage members, storage texels without a format.
+// half floats, 16- and 64-bit integers, doubles, small storage members, storage texels without a format, ray queries.
 Result<VkDevice> open_device(VkPhysicalDevice physical, uint32_t family, const Options& options);
 
 // The memory type that has all `needed` flags, most of `liked` and as few others as possible. Every driver has a

@@ -4,6 +4,8 @@
 
 #include "engine/core/check.h"
 #include "engine/core/error.h"
+#include "engine/gpu/acceleration_state.h"
+#include "engine/gpu/acceleration_structure.h"
 #include "engine/gpu/device.h"
 #include "engine/gpu/machine.h"
 #include "engine/gpu/pipeline_state.h"
@@ -21,6 +23,8 @@ VkDescriptorType vulkan_type(BindingType type) {
       return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     case BindingType::storage_texel:
       return VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
+    case BindingType::acceleration_structure:
+      return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
   }
   return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
@@ -35,6 +39,8 @@ Usage usage_for(BindingType type) {
       return Usage::uniform_texel;
     case BindingType::storage_texel:
       return Usage::storage_texel;
+    case BindingType::acceleration_structure:
+      break;
   }
   return Usage::none;
 }
@@ -153,9 +159,11 @@ DescriptorSet::DescriptorSet(Device& device, const std::string& name, const std:
 
   std::vector<VkDescriptorBufferInfo> buffers;
   std::vector<VkBufferView> views;
+  std::vector<VkWriteDescriptorSetAccelerationStructureKHR> rays;
   std::vector<VkWriteDescriptorSet> writes;
-  buffers.reserve(bound.size());  // the writes point into both
+  buffers.reserve(bound.size());  // the writes point into these
   views.reserve(bound.size());
+  rays.reserve(bound.size());
   for (const Binding& binding : state->layout->bindings) {
     const auto found =
         std::find_if(bound.begin(), bound.end(), [&](const Bound& b) { return b.binding == binding.binding; });
@@ -171,6 +179,13 @@ DescriptorSet::DescriptorSet(Device& device, const std::string& name, const std:
       views.push_back(found->view->handle());
       write.pTexelBufferView = &views.back();
       state->bound.push_back(found->view->state());
+    } else if (binding.type == BindingType::acceleration_structure) {
+      CHECK(found->rays && *found->rays);
+      rays.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR,
+                      .accelerationStructureCount = 1,
+                      .pAccelerationStructures = &found->rays->state()->top.handle});
+      write.pNext = &rays.back();
+      state->bound.push_back(found->rays->state());
     } else {
       CHECK(found->buffer && *found->buffer && has(found->buffer->usage(), usage_for(binding.type)));
       const Buffer& buffer = *found->buffer;

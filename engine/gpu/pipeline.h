@@ -13,12 +13,13 @@
 
 namespace vamp::gpu {
 
+class AccelerationStructure;
 class Device;
 struct PipelineState;
 struct SetState;
 struct SetLayout;
 
-enum class BindingType { storage_buffer, uniform_buffer, uniform_texel, storage_texel };
+enum class BindingType { storage_buffer, uniform_buffer, uniform_texel, storage_texel, acceleration_structure };
 
 // layout(set = 0, binding = N) of a kernel.
 struct Binding {
@@ -66,14 +67,16 @@ class ComputePipeline {
   std::shared_ptr<PipelineState> state_;
 };
 
-// What stands at one binding: a buffer (or a part of it) or a texel view.
+// What stands at one binding: a buffer (or a part of it), a texel view or an acceleration structure.
 struct Bound {
   Bound(uint32_t binding_, const Buffer& buffer_, uint64_t offset_ = 0, uint64_t bytes_ = VK_WHOLE_SIZE)
       : binding(binding_), buffer(&buffer_), offset(offset_), bytes(bytes_) {}
   Bound(uint32_t binding_, const TexelView& view_) : binding(binding_), view(&view_) {}
+  Bound(uint32_t binding_, const AccelerationStructure& rays_) : binding(binding_), rays(&rays_) {}
   uint32_t binding;
   const Buffer* buffer = nullptr;
   const TexelView* view = nullptr;
+  const AccelerationStructure* rays = nullptr;
   uint64_t offset = 0;  // bytes
   uint64_t bytes = VK_WHOLE_SIZE;
 };

@@ -19,32 +19,44 @@ using gpu::Usage;
 // Makes the buffer and its view; an empty table becomes one row of zeros, for a view must have a texel.
 template <class T>
 Result<uint64_t> send(gpu::Device& device, TexelTable<T>& table, const char* name, VkFormat format,
-                      const std::vector<T>& rows, bool storage_too = false) {
+                      const std::vector<T>& rows, Usage besides = Usage::none) {
   const std::vector<T> zero(1);
   const std::vector<T>& filled = rows.empty() ? zero : rows;
   const uint64_t bytes = filled.size() * sizeof(T);
   VAMP_CHECK_STATUS(device.fits_texel_view(name, bytes / gpu::texel_bytes(format)));
-  const Usage usage = storage_too ? Usage::uniform_texel | Usage::storage : Usage::uniform_texel;
-  table.rows = gpu::TypedBuffer<T>(device, name, filled.size(), usage);
+  table.rows = gpu::TypedBuffer<T>(device, name, filled.size(), Usage::uniform_texel | besides);
   table.view = gpu::TexelView(device, table.rows, format);
   return device.upload_rows<T>(table.rows, 0, filled);
 }
 
 }  // namespace
 
-Result<uint64_t> GpuScene::send_scene(gpu::Device& device, const SceneTables& from, bool storage_fetch) {
+Result<uint64_t> GpuScene::send_scene(gpu::Device& device, const SceneTables& from, const TracePath& path) {
   const Bvh& bvh = from.bvh;
-  if (storage_fetch) {
+  if (path.storage_fetch) {
     VAMP_CHECK_STATUS(device.fits_storage_range("nodes", bvh.nodes.size() * sizeof(uvec4)));
     VAMP_CHECK_STATUS(device.fits_storage_range("boxes", bvh.list.size() * sizeof(uvec4)));
     VAMP_CHECK_STATUS(device.fits_storage_range("triangles", bvh.triangles.size() * sizeof(vec4)));
   }
-  VAMP_TRY(uint64_t bytes, send(device, nodes, "nodes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.nodes, true));
-  VAMP_TRY(const uint64_t b0, send(device, boxes, "boxes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.list, true));
-  VAMP_TRY(const uint64_t b1, send(device, triangles, "triangles", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.triangles, true));
+  VAMP_TRY(uint64_t bytes, send(device, nodes, "nodes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.nodes, Usage::storage));
+  VAMP_TRY(const uint64_t b0, send(device, boxes, "boxes", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.list, Usage::storage));
+  const Usage read = path.ray_queries ? Usage::storage | Usage::ray_input : Usage::storage;
+  VAMP_TRY(const uint64_t b1, send(device, triangles, "triangles", VK_FORMAT_R32G32B32A32_SFLOAT, bvh.triangles, read));
   VAMP_TRY(const uint64_t b2, send(device, surface, "surface", VK_FORMAT_R32G32B32A32_UINT, from.surface));
   VAMP_TRY(const uint64_t b3, send(device, alpha, "alpha masks", VK_FORMAT_R8_UINT, from.alpha));
+  rays = {};
+  if (path.ray_queries) {
+    rays = gpu::AccelerationStructure(device, "rays", triangles.rows, static_cast<uint32_t>(bvh.triangle_count()));
+    build_rays(device);
+  }
   return bytes + b0 + b1 + b2 + b3;
+}
+
+void GpuScene::build_rays(gpu::Device& device) const {
+  if (!rays) return;
+  gpu::CommandList list = device.begin("rays");
+  list.build(rays);
+  device.submit(std::move(list));
 }
 
 Result<uint64_t> GpuScene::send_materials(gpu::Device& device, const MaterialTables& from) {
@@ -107,6 +119,7 @@ void GpuScene::bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) c
                              {BINDING_ENVIRONMENT, environment.view},
                              {BINDING_ENVIRONMENT_CELLS, environment_cells.view},
                              {BINDING_ALPHA, alpha.view}});
+  if (rays) bound.emplace_back(BINDING_RAYS, rays);
 }
 
 namespace {

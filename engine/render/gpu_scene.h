@@ -3,8 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/gpu/acceleration_structure.h"
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/pipeline.h"
+#include "engine/render/kernel_key.h"
 #include "engine/render/material_tables.h"
 #include "engine/render/scene_tables.h"
 #include "engine/scene/environment.h"
@@ -26,6 +28,7 @@ struct GpuScene {
   TexelTable<uvec4> nodes;
   TexelTable<uvec4> boxes;
   TexelTable<vec4> triangles;
+  gpu::AccelerationStructure rays;  // of the triangles, where the device traces them
   TexelTable<uvec4> surface;
   TexelTable<frame::PartRow> parts;
   TexelTable<tables::Texel> texels;
@@ -40,11 +43,14 @@ struct GpuScene {
   TexelTable<uint8_t> alpha;
 
   // Each makes its buffers anew and fills them. Errors: a table larger than the device allows. Return bytes sent.
-  Result<uint64_t> send_scene(gpu::Device& device, const SceneTables& tables, bool storage_fetch);
+  Result<uint64_t> send_scene(gpu::Device& device, const SceneTables& tables, const TracePath& path);
   Result<uint64_t> send_materials(gpu::Device& device, const MaterialTables& tables);
   Result<uint64_t> send_parts(gpu::Device& device, const std::vector<frame::PartRow>& rows);
   Result<uint64_t> send_environment(gpu::Device& device, const Environment* map);
   uint64_t send_lights(gpu::Device& device, const std::vector<frame::LightRow>& rows);
+
+  // After triangles have moved in their table: what the device traces follows. Nothing where the program does.
+  void build_rays(gpu::Device& device) const;
 
   // What a descriptor set needs of these, appended.
   void bind(const gpu::Device& device, std::vector<gpu::Bound>& bound) const;

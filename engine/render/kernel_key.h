@@ -9,6 +9,13 @@
 
 namespace vamp {
 
+// How kernels trace a scene; see trace_path.h.
+struct TracePath {
+  bool storage_fetch = false;  // through storage buffers instead of texel buffers
+  bool ray_queries = false;    // asking the device instead of walking the program's tree
+  auto operator<=>(const TracePath&) const = default;
+};
+
 // Values of the SPEC_* constants (shaders/shared/frame.h).
 struct KernelKey {
   uint32_t samples = 1;
@@ -21,7 +28,7 @@ struct KernelKey {
   uint32_t residual = 0;
   uint32_t lobe_models = 0;
   bool four_taps = false;
-  bool storage_fetch = false;
+  TracePath path;
   bool pixel_centres = false;
   bool new_hit = true;
   bool list = false;
@@ -48,8 +55,8 @@ struct LightDraws {
   uint32_t slots = 2;
 };
 
-// From the project alone, before anything of it is on the device. samples, new_hit, list and storage_fetch are left as
-// they are by default.
+// From the project alone, before anything of it is on the device. samples, new_hit, list and path are left as they
+// are by default.
 KernelKey kernel_key(const Project& project, const LightDraws& draws, KnownSums& sums);
 
 }  // namespace vamp

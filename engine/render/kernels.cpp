@@ -26,10 +26,10 @@ const char* name_of(Pass pass) {
   return "";
 }
 
-std::span<const uint32_t> words_of(Pass pass) {
+std::span<const uint32_t> words_of(Pass pass, const TracePath& path) {
   switch (pass) {
     case Pass::trace:
-      return spirv::trace_comp();
+      return path.ray_queries ? spirv::trace_comp_ray_query() : spirv::trace_comp();
     case Pass::shade:
       return spirv::shade_comp();
     case Pass::composite:
@@ -37,9 +37,9 @@ std::span<const uint32_t> words_of(Pass pass) {
     case Pass::recombine:
       return spirv::recombine_comp();
     case Pass::aov:
-      return spirv::aov_comp();
+      return path.ray_queries ? spirv::aov_comp_ray_query() : spirv::aov_comp();
     case Pass::occlusion:
-      return spirv::occlusion_comp();
+      return path.ray_queries ? spirv::occlusion_comp_ray_query() : spirv::occlusion_comp();
   }
   return {};
 }
@@ -62,7 +62,9 @@ KernelKey reduced(Pass pass, const KernelKey& key) {
     r.ambient = !shows || key.ambient;
     r.list = pass == Pass::recombine;
     r.alpha_mask = !shows && key.alpha_mask;
-    r.storage_fetch = !shows && key.storage_fetch;
+    // The bindings follow from it.
+    r.path.ray_queries = key.path.ray_queries;
+    r.path.storage_fetch = !shows && key.path.storage_fetch;
     r.pixel_centres = pass == Pass::aov || (pass == Pass::occlusion && key.pixel_centres);
   }
   return r;
@@ -70,9 +72,9 @@ KernelKey reduced(Pass pass, const KernelKey& key) {
 
 }  // namespace
 
-const std::vector<gpu::Binding>& kernel_bindings() {
+const std::vector<gpu::Binding>& kernel_bindings(const TracePath& path) {
   using enum gpu::BindingType;
-  static const std::vector<gpu::Binding> bindings = {
+  static const std::vector<gpu::Binding> own = {
       {BINDING_PARAMS, storage_buffer},
       {BINDING_LIGHTS, storage_buffer},
       {BINDING_NODES, uniform_texel},
@@ -103,15 +105,20 @@ const std::vector<gpu::Binding>& kernel_bindings() {
       {BINDING_WHOLE, storage_texel},
       {BINDING_LIGHT_TEXELS, uniform_texel},
   };
-  return bindings;
+  static const std::vector<gpu::Binding> queries = [] {
+    std::vector<gpu::Binding> more = own;
+    more.push_back({BINDING_RAYS, acceleration_structure});
+    return more;
+  }();
+  return path.ray_queries ? queries : own;
 }
 
 gpu::PipelineDesc Kernels::describe(const Which& which) const {
   const auto& [pass, key] = which;
   gpu::PipelineDesc desc;
   desc.name = name_of(pass);
-  desc.spirv = pass == Pass::shade && !shade_.empty() ? shade_ : words_of(pass);
-  desc.bindings = kernel_bindings();
+  desc.spirv = pass == Pass::shade && !shade_.empty() ? shade_ : words_of(pass, key.path);
+  desc.bindings = kernel_bindings(key.path);
   desc.push_bytes = sizeof(frame::TilePush);
   desc.constants = {{SPEC_SAMPLES, key.samples},
                     {SPEC_LIGHT_COUNT, key.light_count},
@@ -123,7 +130,7 @@ gpu::PipelineDesc Kernels::describe(const Which& which) const {
                     {SPEC_RESIDUAL, key.residual},
                     {SPEC_LOBE_MODELS, key.lobe_models},
                     {SPEC_FOUR_TAPS, key.four_taps},
-                    {SPEC_STORAGE_FETCH, key.storage_fetch},
+                    {SPEC_STORAGE_FETCH, key.path.storage_fetch},
                     {SPEC_PIXEL_CENTRES, key.pixel_centres},
                     {SPEC_NEW_HIT, key.new_hit},
                     {SPEC_LIST, key.list},
@@ -137,8 +144,8 @@ void Kernels::make_in_background(std::function<void()> arrived) {
     background_ = std::make_unique<gpu::BackgroundPipelines>(*device_, std::move(arrived));
 }
 
-void Kernels::bound_as(const std::vector<gpu::Bound>& bound) {
-  if (background_) background_->bound_as(kernel_bindings(), bound);
+void Kernels::bound_as(const std::vector<gpu::Binding>& bindings, const std::vector<gpu::Bound>& bound) {
+  if (background_) background_->bound_as(bindings, bound);
 }
 
 const Kernels::Kernel* Kernels::find(const Which& which) const {

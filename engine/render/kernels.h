@@ -17,7 +17,7 @@ namespace vamp {
 enum class Pass { trace, shade, composite, recombine, aov, occlusion };
 
 // All kernels share one set of bindings.
-const std::vector<gpu::Binding>& kernel_bindings();
+const std::vector<gpu::Binding>& kernel_bindings(const TracePath& path);
 
 class Kernels {
  public:
@@ -33,7 +33,7 @@ class Kernels {
   // Generic kernels for everything, to compare what they give and cost.
   void use_generic_alone() { generic_alone_ = true; }
   // What will stand at the bindings.
-  void bound_as(const std::vector<gpu::Bound>& bound);
+  void bound_as(const std::vector<gpu::Binding>& bindings, const std::vector<gpu::Bound>& bound);
 
   // Whether generic kernels give the same bits as specialised ones.
   bool same_bits() const { return device_->info().is_lavapipe; }

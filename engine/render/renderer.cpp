@@ -5,7 +5,7 @@
 #include "engine/core/check.h"
 #include "engine/gpu/command_list.h"
 #include "engine/gpu/device.h"
-#include "engine/render/fetch_path.h"
+#include "engine/render/trace_path.h"
 
 namespace vamp {
 namespace {
@@ -46,7 +46,7 @@ uint32_t groups(uint32_t side, uint32_t stride = 1) { return (side + 8 * stride 
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, std::span<const uint32_t> shade) : device_(&device), kernels_(device, shade) {
-  key_.storage_fetch = fetch_path(device.info()).storage;
+  key_.path = trace_paths(device.info()).chosen();
   gpu_.params = gpu::TypedBuffer<frame::FrameParams>(device, "frame", 1);
 }
 
@@ -113,8 +113,9 @@ std::vector<gpu::Bound> Renderer::bound_tables() const {
 void Renderer::make_descriptor_set() {
   forget_weights();
   const std::vector<gpu::Bound> bound = bound_tables();
-  set_ = gpu::DescriptorSet(*device_, "picture", kernel_bindings(), bound);
-  kernels_.bound_as(bound);
+  const std::vector<gpu::Binding>& bindings = kernel_bindings(key_.path);
+  set_ = gpu::DescriptorSet(*device_, "picture", bindings, bound);
+  kernels_.bound_as(bindings, bound);
 }
 
 uint32_t Renderer::samples() const {

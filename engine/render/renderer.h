@@ -55,8 +55,8 @@ class Renderer {
   // Of the first project always.
   bool has_kernels_for(const Project& project);
 
-  // Instead of the device's fetch_path(). Before set_project().
-  void set_storage_fetch(bool storage) { key_.storage_fetch = storage; }
+  // Instead of the device's trace_paths(). Before set_project().
+  void set_trace_path(const TracePath& path) { key_.path = path; }
   // Another way of drawing lights, for measurements. Before set_project().
   void set_light_draws(const LightDraws& draws) { draws_ = draws; }
 

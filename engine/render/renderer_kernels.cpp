@@ -61,7 +61,7 @@ bool Renderer::shades_again(const Project& now) const {
 bool Renderer::has_kernels_for(const Project& project) {
   if (!kernels_.in_background() || !project_) return true;
   KernelKey key = kernel_key(project, draws_, sums_);
-  key.storage_fetch = key_.storage_fetch;
+  key.path = key_.path;
   std::vector<std::pair<Pass, KernelKey>> needed;
   if (key != key_) needed = first_kernels(key);
   // A picture keeps its samples and is shaded again, unless they are so few that it can as well begin again.

@@ -87,7 +87,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
   };
   if (geometry_differs(now)) {
     scene_tables_ = std::make_shared<SceneTables>(build_scene_tables(*now.scene, visible_parts(now)));
-    VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, *scene_tables_, key_.storage_fetch));
+    VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, *scene_tables_, key_.path));
     change.bytes += bytes;
     new_tables = true;
     change.places_moved = true;
@@ -173,7 +173,7 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
 
   // What the kernels are specialised for.
   KernelKey key = kernel_key(now, draws_, sums_);
-  key.storage_fetch = key_.storage_fetch;
+  key.path = key_.path;
   const bool new_picture = key.planes() != key_.planes() || key.mirror != key_.mirror || !hits_;
   if (new_picture) VAMP_CHECK_STATUS(sums_fit(key.planes(), region_.width, region_.height));
   // Kernels that are specialised for other ways of shading may round differently; then all pixels go through the same

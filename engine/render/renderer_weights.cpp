@@ -45,7 +45,7 @@ void Renderer::make_weight_sums() {
     replace({BINDING_CLUSTERS, direction.clusters.view});
     replace({BINDING_ACCUMULATORS, direction.accumulators_view});
     replace({BINDING_LIST, weights_->list});
-    direction.set = gpu::DescriptorSet(*device_, "weights at hand", kernel_bindings(), bound);
+    direction.set = gpu::DescriptorSet(*device_, "weights at hand", kernel_bindings(key_.path), bound);
   }
 }
 

@@ -1,5 +1,8 @@
 // Every table that the passes read, and what a kernel is specialised for (shaders/shared/frame.h).
 #extension GL_EXT_scalar_block_layout : require
+#ifdef RAY_QUERY
+#extension GL_EXT_ray_query : require
+#endif
 #include "shaders/shared/frame.h"
 #include "shaders/shared/random.h"
 #include "shaders/shared/intersect.h"
@@ -57,6 +60,10 @@ layout(scalar, binding = BINDING_LIST) readonly buffer ListBlock { uint list[]; 
 layout(binding = BINDING_SEEN, r32ui) uniform uimageBuffer seen;              // [2][pixel]: clusters as bits; samples
 
 layout(binding = BINDING_WHOLE, rgba32f) uniform imageBuffer whole;           // the picture's accumulators, where those above are not
+
+#ifdef RAY_QUERY
+layout(binding = BINDING_RAYS) uniform accelerationStructureEXT ray_scene;  // of the same triangles
+#endif
 
 layout(push_constant, scalar) uniform PushBlock { TilePush tile; };
 

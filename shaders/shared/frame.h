@@ -35,6 +35,7 @@ using uint = std::uint32_t;
 #define BINDING_SEEN 26
 #define BINDING_WHOLE 27
 #define BINDING_LIGHT_TEXELS 28
+#define BINDING_RAYS 29             // where kernels ask the device for rays
 
 // What a kernel is specialised for (constant_id): the scene pays only for what it uses.
 #define SPEC_SAMPLES 0             // samples in one dispatch: 1 or 4
