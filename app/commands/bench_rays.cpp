@@ -28,6 +28,7 @@ Result<Report> run_rays(const Options& options, const CommonOptions& common) {
   VAMP_TRY(Project project, bench_project(options.scene, options.without));
   VAMP_TRY(const auto device, open_device(common));
   if (!options.scene.empty()) bench.name += " " + options.scene;
+  if (device->info().ray_queries) bench.name += " with ray queries";
   bench.scene_words = scene_words(options.scene, project);
   bench.rounds = static_cast<int>(rounds);
   return bench_rays(*device, std::move(project), bench);
