@@ -74,7 +74,7 @@ Status recolour(const Options& options, const CommonOptions& common) {
   } else {
     fmt::print(
         "{}: \"{}\"\n{} gave {:.1f} % of the light, in {:.1f} % of the texels; {:.1f} % (relative RMSE) of the weights "
-        "are no mixture of the colours that go and stay, and stay as they were\n",
+        "are no mixture of the colours that go and stay\n",
         options.output, preset.name, words(change.from), 100 * shares.light, 100 * shares.texels, 100 * shares.untold);
   }
   return {};

@@ -20,7 +20,7 @@ std::vector<dvec3> changed_colours(const std::vector<dvec3>& colours, const Pigm
 struct PigmentShares {
   double light = 0;   // of what the functions reflect (mean_reflectance, all channels together)
   double texels = 0;  // in which it is a hundredth of that or more
-  double untold = 0;  // relative RMSE of the weights seen as mixtures: what no mixture tells and therefore stays
+  double untold = 0;  // relative RMSE of the weights seen as mixtures of the named colours
 };
 PigmentShares pigment_shares(const Spmm& spmm, const PigmentChange& change);
 
