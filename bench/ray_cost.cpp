@@ -13,18 +13,18 @@ RayQuestion question_of(const char* kind) {
 }
 
 size_t otherwise(const EmbreeScene& embree, RayQuestion question, std::span<const ReadyRay> rays,
-                 std::span<const Found> found) {
+                 std::span<const float> found) {
   size_t count = 0;
   for (size_t i = 0; i < rays.size(); ++i) {
     const ReadyRay& ray = rays[i];
     if (question == RayQuestion::any) {
-      count += embree.unoccluded(ray.origin, ray.direction, ray.distance) != (found[i].distance > 0);
+      count += embree.unoccluded(ray.origin, ray.direction, ray.distance) != (found[i] > 0);
       continue;
     }
     const EmbreeScene::Hit hit = embree.nearest(ray.origin, ray.direction);
-    const bool both = hit.triangle >= 0 && found[i].triangle >= 0;
-    const bool neither = hit.triangle < 0 && found[i].triangle < 0;
-    count += !neither && !(both && std::abs(found[i].distance - hit.distance) < 1e-4f * hit.distance);
+    const bool both = hit.triangle >= 0 && found[i] >= 0;
+    const bool neither = hit.triangle < 0 && found[i] < 0;
+    count += !neither && !(both && std::abs(found[i] - hit.distance) < 1e-4f * hit.distance);
   }
   return count;
 }

@@ -1,5 +1,6 @@
 #include "bench/ray_kernel.h"
 
+#include "bench/rays_shared.h"
 #include "engine/core/check.h"
 #include "engine/gpu/device.h"
 #include "shaders/spirv.h"
@@ -20,12 +21,14 @@ std::vector<gpu::Binding> ray_bindings(const TracePath& path) {
       {BINDING_TRIANGLES_STORAGE, storage_buffer},
       {BINDING_READY_RAYS, uniform_texel},
       {BINDING_FOUND, storage_buffer},
+      {BINDING_FOUND_TRIANGLES, storage_buffer},
   };
   if (path.ray_queries) bindings.push_back({BINDING_RAYS, acceleration_structure});
   return bindings;
 }
 
-std::vector<gpu::Bound> bound_tables(const GpuTree& tree, const gpu::TexelView& rays, const gpu::Buffer& found) {
+std::vector<gpu::Bound> bound_tables(const GpuTree& tree, const gpu::TexelView& rays, const gpu::Buffer& found,
+                                     const gpu::Buffer& triangles) {
   const GpuScene& tables = tree.tables;
   std::vector<gpu::Bound> bound = {{BINDING_PARAMS, tables.params},
                                    {BINDING_NODES, tables.nodes.view},
@@ -35,7 +38,8 @@ std::vector<gpu::Bound> bound_tables(const GpuTree& tree, const gpu::TexelView& 
                                    {BINDING_BOXES_STORAGE, tables.boxes.rows},
                                    {BINDING_TRIANGLES_STORAGE, tables.triangles.rows},
                                    {BINDING_READY_RAYS, rays},
-                                   {BINDING_FOUND, found}};
+                                   {BINDING_FOUND, found},
+                                   {BINDING_FOUND_TRIANGLES, triangles}};
   if (tree.path.ray_queries) bound.emplace_back(BINDING_RAYS, tables.rays);
   return bound;
 }
@@ -64,6 +68,7 @@ RayKernel::RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion quest
       rays_(device, "ready rays", rays.size(), gpu::Usage::uniform_texel),
       rays_view_(device, rays_, VK_FORMAT_R32G32B32A32_SFLOAT),
       found_(device, "found", rays.size()),
+      triangles_(device, "found triangles", question == RayQuestion::nearest ? rays.size() : 0),
       pipeline_(device, {.name = "rays",
                          .spirv = tree.path.ray_queries ? spirv::rays_comp_ray_query() : spirv::rays_comp(),
                          .bindings = ray_bindings(tree.path),
@@ -72,7 +77,7 @@ RayKernel::RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion quest
                                        {SPEC_STORAGE_FETCH, tree.path.storage_fetch},
                                        {SPEC_SAMPLES, SAMPLES_PER_HIT},
                                        {SPEC_ALPHA_MASK, false}}}),
-      set_(device, pipeline_, bound_tables(tree, rays_view_, found_)) {
+      set_(device, pipeline_, bound_tables(tree, rays_view_, found_, triangles_)) {
   CHECK(question == RayQuestion::nearest || rays.size() % SAMPLES_PER_HIT == 0);
   device.upload_rows<ReadyRay>(rays_, 0, rays);
   run();  // compiles
@@ -90,8 +95,12 @@ Times RayKernel::run() {
   return watch.stop();
 }
 
-std::vector<Found> RayKernel::found() const {
-  return device_->readback_rows<Found>(found_, 0, found_.count(), device_->last_submitted());
+std::vector<float> RayKernel::found() const {
+  return device_->readback_rows<float>(found_, 0, found_.count(), device_->last_submitted());
+}
+
+std::vector<int> RayKernel::triangles() const {
+  return device_->readback_rows<int>(triangles_, 0, triangles_.count(), device_->last_submitted());
 }
 
 }  // namespace vamp

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "bench/rays_shared.h"
 #include "bench/ready_rays.h"
 #include "engine/render/gpu_scene.h"
 
@@ -23,15 +22,18 @@ class RayKernel {
   RayKernel(gpu::Device& device, const GpuTree& tree, RayQuestion question, std::span<const ReadyRay> rays);
 
   Times run();
-  // For each ray. After run().
-  std::vector<Found> found() const;
+  // For each ray the nearest hit's distance, or 1 where nothing is in the way; else -1. After run().
+  std::vector<float> found() const;
+  // For each ray the nearest hit's triangle, in the tree's order, or -1. After run().
+  std::vector<int> triangles() const;
 
  private:
   gpu::Device* device_;
   uint32_t invocations_;
   gpu::TypedBuffer<ReadyRay> rays_;
   gpu::TexelView rays_view_;
-  gpu::TypedBuffer<Found> found_;
+  gpu::TypedBuffer<float> found_;
+  gpu::TypedBuffer<int> triangles_;
   gpu::ComputePipeline pipeline_;
   gpu::DescriptorSet set_;
 };

@@ -7,7 +7,8 @@
 
 layout(constant_id = SPEC_NEAREST) const bool NEAREST = true;
 layout(binding = BINDING_READY_RAYS) uniform samplerBuffer rays;
-layout(scalar, binding = BINDING_FOUND) writeonly buffer FoundBlock { Found found[]; };
+layout(scalar, binding = BINDING_FOUND) writeonly buffer Found { float found[]; };
+layout(scalar, binding = BINDING_FOUND_TRIANGLES) writeonly buffer FoundTriangles { int found_triangles[]; };
 
 bool alpha_passes(int triangle, float u, float v) { return true; }
 
@@ -17,7 +18,8 @@ void main() {
   if (NEAREST) {
     vec3 origin = texelFetch(rays, int(2u * i)).xyz;
     TriangleHit hit = nearest_hit(origin, texelFetch(rays, int(2u * i + 1u)).xyz, 0.0, HUGE);
-    found[i] = Found(hit.triangle < 0 ? -1.0 : hit.t, hit.triangle);
+    found[i] = hit.triangle < 0 ? -1.0 : hit.t;
+    found_triangles[i] = hit.triangle;
   } else {
     vec3 origin = texelFetch(rays, int(2u * SAMPLES * i)).xyz;
     Bundle bundle;
@@ -26,6 +28,6 @@ void main() {
       bundle.direction[k] = texelFetch(rays, int(2u * (SAMPLES * i + k) + 1u)).xyz;
     }
     uint free = unoccluded(origin, bundle);
-    for (uint k = 0u; k < SAMPLES; ++k) found[SAMPLES * i + k] = Found((free >> k & 1u) != 0u ? 1.0 : -1.0, -1);
+    for (uint k = 0u; k < SAMPLES; ++k) found[SAMPLES * i + k] = (free >> k & 1u) != 0u ? 1.0 : -1.0;
   }
 }
