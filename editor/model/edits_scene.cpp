@@ -140,7 +140,7 @@ Edit set_texture_scale(const Project& project, int part, float scale) {
 
 Edit set_texture_rotation(const Project& project, int part, float radians) {
   return edit_part(project, part, "Texture rotation", [radians](Project&, PartState& state) {
-    set_clamped(state.texture_rotation, radians, -kMaxTextureRotation, kMaxTextureRotation);
+    set_clamped(state.texture_rotation, radians, -kMaxTurn, kMaxTurn);
   });
 }
 
@@ -149,6 +149,28 @@ Edit set_texture_offset(const Project& project, int part, vec2 mm) {
     set_clamped(state.texture_offset.x, mm.x, -kMaxTextureOffset, kMaxTextureOffset);
     set_clamped(state.texture_offset.y, mm.y, -kMaxTextureOffset, kMaxTextureOffset);
   });
+}
+
+Edit move_part(const Project& project, int part, vec3 offset) {
+  return edit_part(project, part, "Place", [offset](Project&, PartState& state) {
+    for (int axis = 0; axis < 3; ++axis)
+      set_clamped(state.place.offset[axis], offset[axis], -kMaxCoordinate, kMaxCoordinate);
+  });
+}
+
+Edit turn_part(const Project& project, int part, vec3 radians) {
+  return edit_part(project, part, "Turn", [radians](Project&, PartState& state) {
+    for (int axis = 0; axis < 3; ++axis) set_clamped(state.place.turn[axis], radians[axis], -kMaxTurn, kMaxTurn);
+  });
+}
+
+Edit put_back(const Project& project, int part) {
+  const bool one = within(part, project.parts);
+  return make_edit(one ? "Put back " + project.parts[static_cast<size_t>(part)].name : "Put all parts back", "",
+                   [part](Project& target) {
+                     for (size_t i = 0; i < target.parts.size(); ++i)
+                       if (part < 0 || part == static_cast<int>(i)) target.parts[i].place = {};
+                   });
 }
 
 Edit add_light(const Project&, Light light) {
@@ -203,7 +225,7 @@ Edit remove_environment(const Project&) {
 
 Edit set_environment_rotation(const Project&, float radians) {
   return make_edit("Environment rotation", "environment rotation", [radians](Project& target) {
-    set_clamped(target.environment.rotation, radians, -kMaxTextureRotation, kMaxTextureRotation);
+    set_clamped(target.environment.rotation, radians, -kMaxTurn, kMaxTurn);
   });
 }
 

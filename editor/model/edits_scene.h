@@ -21,6 +21,9 @@ Edit set_mirror(const Project& project, int part, float f0);
 Edit set_texture_scale(const Project& project, int part, float scale);
 Edit set_texture_rotation(const Project& project, int part, float radians);
 Edit set_texture_offset(const Project& project, int part, vec2 mm);
+Edit move_part(const Project& project, int part, vec3 offset);  // scene units from where the model has it
+Edit turn_part(const Project& project, int part, vec3 radians);
+Edit put_back(const Project& project, int part);  // where the model has it; -1: all parts
 
 // ---- Lights
 Edit add_light(const Project& project, Light light);  // no more than kMaxLights; the name is made unique

@@ -164,6 +164,10 @@ Status assign_environment(Project& project, const std::string& path) {
   return {};
 }
 
+RigidMotion motion_of(const Project& project, size_t part) {
+  return {project.parts[part].place, project.scene->parts[part].bounds.center()};
+}
+
 int find_part(const Project& project, std::string_view name) {
   for (size_t i = 0; i < project.parts.size(); ++i)
     if (project.parts[i].name == name) return static_cast<int>(i);

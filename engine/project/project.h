@@ -12,6 +12,7 @@
 #include "engine/scene/camera.h"
 #include "engine/scene/environment.h"
 #include "engine/scene/light.h"
+#include "engine/scene/placement.h"
 #include "engine/scene/scene.h"
 
 namespace vamp {
@@ -27,8 +28,8 @@ struct MaterialInstance {
   bool operator==(const MaterialInstance&) const = default;  // fit by identity
 };
 
-// How a preset lies on a part: its texture is scaled, turned from u towards v, and moved. The model's own material lies
-// as its texture's transform says.
+// What a part shows and where it stands. How a preset lies on it: its texture is scaled, turned from u towards v, and
+// moved. The model's own material lies as its texture's transform says.
 struct PartState {
   std::string name;  // as in the scene, same order
   int material = 0;  // index into Project::materials
@@ -37,6 +38,7 @@ struct PartState {
   float texture_scale = 1;     // 0.05 to 20: over the physical size
   float texture_rotation = 0;  // radians
   vec2 texture_offset{0, 0};   // mm
+  Placement place;
   bool operator==(const PartState&) const = default;
 };
 
@@ -119,6 +121,9 @@ void drop_unused_materials(Project& project);
 
 // Gives a part a material instance of its own, a copy of the one it shared. Returns the instance's index.
 int make_unique_material(Project& project, int part);
+
+// What the part's place does to its points and directions: it turns about the middle of its bounds.
+RigidMotion motion_of(const Project& project, size_t part);
 
 // Index of the part whose name is `name` (exact, else case-insensitive), or -1.
 int find_part(const Project& project, std::string_view name);

@@ -16,9 +16,9 @@
 namespace vamp {
 namespace {
 
-constexpr Schema kSchema{"vamp-project", 1, 0};
+constexpr Schema kSchema{"vamp-project", 1, 1};
 
-Json part_to_json(const PartState& part) {
+Json part_to_json(const PartState& part, double mm_per_unit) {
   Json json;
   json["name"] = part.name;
   json["material"] = part.material;
@@ -27,19 +27,24 @@ Json part_to_json(const PartState& part) {
   json["texture_scale"] = json_number(part.texture_scale);
   json["texture_rotation"] = json_quantity(part.texture_rotation, kDegreesPerRadian);
   json["texture_offset"] = json_vector(part.texture_offset);
+  json["offset"] = json_vector(part.place.offset, mm_per_unit);
+  json["turn"] = json_vector(part.place.turn, kDegreesPerRadian);
   return json;
 }
 
-PartState part_from_json(const JsonReader& reader, size_t materials) {
+PartState part_from_json(const JsonReader& reader, size_t materials, double mm_per_unit) {
   PartState part;
   part.name = reader.member("name").text();
   part.material = static_cast<int>(reader.member("material").integer(0, static_cast<int64_t>(materials) - 1));
   part.visible = reader.member("visible").boolean();
   part.mirror_f0 = reader.member("mirror_f0").number(0, 1);
   part.texture_scale = reader.member("texture_scale").number(kMinTextureScale, kMaxTextureScale);
-  part.texture_rotation =
-      quantity_from(reader.member("texture_rotation"), kDegreesPerRadian, -kMaxTextureRotation, kMaxTextureRotation);
+  part.texture_rotation = quantity_from(reader.member("texture_rotation"), kDegreesPerRadian, -kMaxTurn, kMaxTurn);
   part.texture_offset = vec2_from(reader.member("texture_offset"), 1, -kMaxTextureOffset, kMaxTextureOffset);
+  // In files of schema 1.0 every part stands where the model has it.
+  if (reader.has("offset"))
+    part.place.offset = vec3_from(reader.member("offset"), mm_per_unit, -kMaxCoordinate, kMaxCoordinate);
+  if (reader.has("turn")) part.place.turn = vec3_from(reader.member("turn"), kDegreesPerRadian, -kMaxTurn, kMaxTurn);
   return part;
 }
 
@@ -82,8 +87,7 @@ Status environment_from_json(const JsonReader& reader, const fs::path& folder, s
                              Project& project) {
   EnvironmentState& environment = project.environment;
   environment.intensity = reader.member("intensity").number(0, kMaxEnvironmentIntensity);
-  environment.rotation =
-      quantity_from(reader.member("rotation"), kDegreesPerRadian, -kMaxTextureRotation, kMaxTextureRotation);
+  environment.rotation = quantity_from(reader.member("rotation"), kDegreesPerRadian, -kMaxTurn, kMaxTurn);
   environment.visible = reader.member("visible").boolean();
   if (!reader.has("file")) return reader.status();
   const std::string stored = reader.member("file").text();
@@ -168,7 +172,7 @@ Result<Json> project_to_json(const Project& project, const fs::path& folder, Pat
     materials.push_back(std::move(one));
   }
   Json& parts = json["parts"] = Json::array();
-  for (const PartState& part : project.parts) parts.push_back(part_to_json(part));
+  for (const PartState& part : project.parts) parts.push_back(part_to_json(part, mm));
   Json& lights = json["lights"] = Json::array();
   for (const Light& light : project.lights) lights.push_back(light_to_json(light, mm));
   json["ambient"] = json_vector(project.ambient);
@@ -213,7 +217,7 @@ Result<Project> project_from_json(const JsonReader& reader, const fs::path& fold
   const size_t material_count = reader.member("materials").size(kMaxParts);
   std::vector<PartState> parts;
   for (size_t i = 0, count = part_list.size(kMaxParts); i < count; ++i)
-    parts.push_back(part_from_json(part_list.element(i), material_count));
+    parts.push_back(part_from_json(part_list.element(i), material_count, mm));
   VAMP_CHECK_STATUS(reader.status());
   VAMP_TRY(auto materials, materials_from_json(reader.member("materials"), parts, project, folder, file, use));
   place_parts(parts, std::move(materials), file, project);

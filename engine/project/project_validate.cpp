@@ -76,9 +76,11 @@ void check_part(Checker& check, const PartState& part, size_t materials, const s
     check.refuse(place + ".material", fmt::format("below {}", materials), std::to_string(part.material));
   check.range(place + ".mirror_f0", part.mirror_f0, 0, 1);
   check.range(place + ".texture.scale", part.texture_scale, kMinTextureScale, kMaxTextureScale);
-  check.range(place + ".texture.rotation", part.texture_rotation, -kMaxTextureRotation, kMaxTextureRotation);
+  check.range(place + ".texture.rotation", part.texture_rotation, -kMaxTurn, kMaxTurn);
   check.range(place + ".texture.offset", part.texture_offset.x, -kMaxTextureOffset, kMaxTextureOffset);
   check.range(place + ".texture.offset", part.texture_offset.y, -kMaxTextureOffset, kMaxTextureOffset);
+  check.point(place + ".offset", part.place.offset);
+  check.range(place + ".turn", part.place.turn, -kMaxTurn, kMaxTurn);
 }
 
 }  // namespace
@@ -111,7 +113,7 @@ Status validate(const Project& project, std::string_view file) {
   check.range("ambient", project.ambient, 0, kMaxColor);
   check.range("background", project.background, 0, kMaxColor);
   check.range("environment.intensity", project.environment.intensity, 0, kMaxEnvironmentIntensity);
-  check.range("environment.rotation", project.environment.rotation, -kMaxTextureRotation, kMaxTextureRotation);
+  check.range("environment.rotation", project.environment.rotation, -kMaxTurn, kMaxTurn);
 
   // Views and settings.
   check_camera(check, project.camera, "camera");

@@ -75,6 +75,27 @@ TEST_F(Edits, ClampToTheRegistrysRangeAndLeaveOutWhatIsNotFinite) {
   EXPECT_TRUE(validate(project(), ""));
 }
 
+TEST_F(Edits, OfAPlaceAreClampedNamedAndTakenBackWhole) {
+  EXPECT_EQ(move_part(project(), 1, vec3(1)).name, "Place of sole");
+  document_.edit(move_part(project(), 1, {0.5f, -1e9f, kNan}));
+  EXPECT_EQ(project().parts[1].place.offset, vec3(0.5f, -kMaxCoordinate, 0));
+  document_.edit(turn_part(project(), 1, {1, 1e9f, -kNan}));
+  EXPECT_EQ(project().parts[1].place.turn, vec3(1, kMaxTurn, 0));
+  EXPECT_TRUE(validate(project(), ""));
+  document_.edit(move_part(project(), 2, vec3(1)));
+  document_.edit(put_back(project(), 1));
+  EXPECT_EQ(document_.undo_name(), "Put back sole");
+  EXPECT_EQ(project().parts[1].place, Placement{});
+  EXPECT_NE(project().parts[2].place, Placement{});
+  EXPECT_FALSE(document_.edit(put_back(project(), 1)));
+  document_.undo();
+  EXPECT_EQ(project().parts[1].place.turn.x, 1);
+  document_.edit(put_back(project(), -1));
+  for (const PartState& part : project().parts) EXPECT_EQ(part.place, Placement{});
+  EXPECT_FALSE(document_.edit(move_part(project(), 99, vec3(1))));
+  EXPECT_FALSE(document_.edit(put_back(project(), 99)));
+}
+
 TEST_F(Edits, KeepNormalsUnitAndAboveTheSurface) {
   for (const vec3& wanted : {vec3(1, 2, 3), vec3(5, 0, -3), vec3(0, 0, -1), vec3(1e-3f, 0, 1e-9f), vec3(1, 0, 0)}) {
     document_.edit(set_normal(project(), one_row(calf(), {0, 1}), wanted));

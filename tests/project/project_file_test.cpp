@@ -48,6 +48,7 @@ class ProjectFile : public testing::Test {
     project_.parts[0].mirror_f0 = 0.04f;
     project_.parts[0].texture_rotation = 0.7f;
     project_.parts[1].visible = false;
+    project_.parts[2].place = {{0.01f, -1 / 3.0f, 0.0375f}, {0.1f, -2.3f, 1 / 7.0f}};
     project_.lights[0].roll_degrees = 12.3f;
     project_.lights.push_back({"lamp", LightType::sphere, false, {0.1f, 1 / 3.0f, -2}, {}, 0, {1, 1}, 0.037f, 7.7f});
     project_.ambient = {0.1f, 0.2f, 0.3f};
@@ -238,6 +239,15 @@ TEST_F(ProjectFile, RefusesHostileDocuments) {
       {"parts[0].material", [](Json& j) { j["parts"][0]["material"] = 3; }},
       {"parts[0].material", [](Json& j) { j["parts"][0]["material"] = -1; }},
       {"parts[0].mirror_f0", [](Json& j) { j["parts"][0]["mirror_f0"] = 2; }},
+      {"parts[1].offset",
+       [](Json& j) {
+         j["parts"][1]["offset"] = {0, 1e300, 0};
+       }},
+      {"parts[1].offset",
+       [](Json& j) {
+         j["parts"][1]["offset"] = {0, 0};
+       }},
+      {"parts[1].turn", [](Json& j) { j["parts"][1]["turn"] = "upside down"; }},
       {"lights[0].type", [](Json& j) { j["lights"][0]["type"] = "laser"; }},
       {"lights[0].center",
        [](Json& j) {
@@ -268,6 +278,28 @@ TEST_F(ProjectFile, RefusesHostileDocuments) {
     EXPECT_THAT(message, HasSubstr(said));
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
+}
+
+TEST_F(ProjectFile, OfTheFirstSchemaHasItsPartsWhereTheModelHasThem) {
+  ASSERT_TRUE(save_project(project_, file_));
+  Json json = parse_json(read_text(file_, 1 << 20).value(), "").value();
+  json["schema_version"] = "1.0";
+  for (Json& part : json["parts"]) {
+    part.erase("offset");
+    part.erase("turn");
+  }
+  ASSERT_TRUE(write_text_atomically(file_, print_json(json)));
+  const auto loaded = load_project(file_);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  for (const PartState& part : loaded->parts) EXPECT_EQ(part.place, Placement{});
+}
+
+TEST_F(ProjectFile, TellsPlacesInMillimetresAndDegrees) {
+  project_.parts[2].place = {{0.01f, 0, -0.0375f}, {0, 0.523598776f, 0}};
+  ASSERT_TRUE(save_project(project_, file_));
+  const Json json = parse_json(read_text(file_, 1 << 20).value(), "").value();
+  EXPECT_EQ(json["parts"][2]["offset"], Json::array({10, 0, -37.5}));
+  EXPECT_EQ(json["parts"][2]["turn"], Json::array({0, 30, 0}));
 }
 
 TEST_F(ProjectFile, RefusesLinksThatLeaveTheFolder) {

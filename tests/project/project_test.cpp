@@ -127,6 +127,8 @@ TEST(Validate, RefusesWhatTheRendererCannotTake) {
       {"parts[1].material", [](Project& p) { p.parts[1].material = 99; }},
       {"parts", [](Project& p) { p.parts.pop_back(); }},
       {"mirror_f0", [](Project& p) { p.parts[0].mirror_f0 = 1.5f; }},
+      {"parts[2].offset", [](Project& p) { p.parts[2].place.offset.z = 1e8f; }},
+      {"parts[2].turn", [](Project& p) { p.parts[2].place.turn.y = std::numeric_limits<float>::quiet_NaN(); }},
       {"camera.fov", [](Project& p) { p.camera.fov_degrees = 0; }},
       {"max_samples", [](Project& p) { p.settings.max_samples = 0; }},
       {"noise_goal", [](Project& p) { p.settings.noise_goal = -1; }},
