@@ -13,11 +13,12 @@ namespace vamp {
 struct Scene;
 
 struct Bvh {
-  std::vector<uvec4> nodes;     // two for each inner node, the root first
-  std::vector<uvec4> list;      // the same boxes depth first, with skips, and its ends
-  std::vector<vec4> triangles;  // three for each triangle, in the order of the tree; w: part, flags, 0
-  std::vector<uint32_t> order;  // order[i]: the scene's number of the tree's triangle i
-  vec3 grid_origin{0};          // a box coordinate q lies at grid_origin + q * grid_scale
+  std::vector<uvec4> nodes;        // two for each inner node, the root first
+  std::vector<uvec4> list;         // the same boxes depth first, with skips, and its ends
+  std::vector<uint32_t> list_box;  // list[i] holds the box of nodes[list_box[i]]
+  std::vector<vec4> triangles;     // three for each triangle, in the order of the tree; w: part, flags, 0
+  std::vector<uint32_t> order;     // order[i]: the scene's number of the tree's triangle i
+  vec3 grid_origin{0};             // a box coordinate q lies at grid_origin + q * grid_scale
   vec3 grid_scale{1};
   uint32_t depth = 0;  // of inner nodes, at most BVH_STACK_SIZE - 1
   Bounds bounds;
@@ -31,8 +32,8 @@ struct Bvh {
 Bvh build_bvh(std::span<const vec3> positions, std::span<const uvec3> triangles,
               std::span<const uint32_t> triangle_part = {}, std::span<const uint32_t> part_flags = {});
 
-// With part numbers and flags (alpha mask, double-sided) from the scene's materials.
-Bvh build_bvh(const Scene& scene);
+// TRIANGLE_* flags (alpha mask, double-sided) of each part, from its material.
+std::vector<uint32_t> flags_of_parts(const Scene& scene);
 
 struct Hit {
   uint32_t triangle = 0;  // the scene's number
@@ -48,11 +49,22 @@ std::optional<Hit> pick(const Bvh& bvh, const vec3& origin, const vec3& directio
 // Any triangle between t_min and t_max.
 bool occluded(const Bvh& bvh, const vec3& origin, const vec3& direction, float t_min, float t_max);
 
-// Bvh::list of its nodes.
-std::vector<uvec4> list_of(const Bvh& bvh);
+// Makes boxes, grid and bounds fit triangles that have moved (bvh.triangles; finite). The tree keeps its shape and its
+// order, so that what was far apart before may share boxes that it would not share in a new tree: see box_cost(). Rays
+// hit what they would hit in a new tree.
+void refit_bvh(Bvh& bvh);
 
-// Expected cost of a ray through the scene's box: sum over nodes of area / root area * (1 per inner node, 1 per
-// triangle of a leaf), measured on the boxes as the kernels see them.
+// Bvh::list and list_box of its nodes.
+void make_list(Bvh& bvh);
+
+// What tells whether a tree has become worse under refits: the sum over boxes of half their surface, in square scene
+// units, times 1 per inner node and 1 per triangle of a leaf, measured on the boxes as the kernels see them. In
+// proportion to what a ray costs that comes from anywhere near; the box around everything does not count, for it grows
+// with whatever moves away and costs little.
+double box_cost(const Bvh& bvh);
+
+// Expected cost of a ray through the scene's box (surface-area heuristic): 1 and box_cost over the box's own half
+// surface.
 double sah_cost(const Bvh& bvh);
 
 }  // namespace vamp

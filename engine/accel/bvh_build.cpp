@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "engine/accel/bvh.h"
-#include "engine/accel/bvh_box.h"
+#include "engine/accel/bvh_grid.h"
 #include "engine/core/check.h"
 #include "engine/scene/scene.h"
 #include "shaders/shared/intersect.h"
@@ -21,41 +21,17 @@ constexpr uint32_t kLeafSize = 4;
 constexpr int kMaxDepth = BVH_STACK_SIZE - 1;
 constexpr uint32_t kParallelSize = 40000;  // below this a task costs more than it saves
 
-// Four floats in one register; lane 3 is carried along and ignored.
-using Lanes = float __attribute__((vector_size(16)));
-
-Lanes lanes_min(Lanes a, Lanes b) { return a < b ? a : b; }
-Lanes lanes_max(Lanes a, Lanes b) { return a > b ? a : b; }
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-struct Box {
-  Lanes lo = {kInfinity, kInfinity, kInfinity, kInfinity};
-  Lanes hi = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
-
-  void extend(Lanes p) {
-    lo = lanes_min(lo, p);
-    hi = lanes_max(hi, p);
-  }
-  void extend(const Box& b) {
-    lo = lanes_min(lo, b.lo);
-    hi = lanes_max(hi, b.hi);
-  }
-  float half_area() const {
-    const Lanes s = hi - lo;
-    return s[0] >= 0 ? s[0] * s[1] + s[1] * s[2] + s[2] * s[0] : 0.0f;
-  }
-};
 
 // A triangle while it is being sorted into the tree.
 struct Item {
-  Box box;
+  ExactBox box = ExactBox::empty();
   Lanes centroid;  // lo + hi: twice the centre
   uint32_t triangle;
 };
 
 struct BuildNode {
-  Box box;
+  ExactBox box = ExactBox::empty();
   uint32_t first = 0, count = 0;  // count > 0: a leaf
   uint32_t left = 0, right = 0;
 };
@@ -84,7 +60,7 @@ class Builder {
  private:
   void build_node(uint32_t index, uint32_t first, uint32_t count, int depth) {
     BuildNode& node = nodes_[index];
-    Box centroids;
+    ExactBox centroids = ExactBox::empty();
     for (uint32_t i = first; i < first + count; ++i) {
       node.box.extend(items_[i].box);
       centroids.extend(items_[i].centroid);
@@ -123,7 +99,7 @@ class Builder {
   }
 
   // Bins of centroids: bin = (centroid - lo) * scale, the same arithmetic when counting and when partitioning.
-  static Lanes bin_scale(const Box& centroids) {
+  static Lanes bin_scale(const ExactBox& centroids) {
     Lanes scale = {};
     for (int k = 0; k < 3; ++k) {
       const float size = centroids.hi[k] - centroids.lo[k];
@@ -132,14 +108,15 @@ class Builder {
     }
     return scale;
   }
-  static int bin_of(const Item& item, const Box& centroids, Lanes scale, int axis) {
+  static int bin_of(const Item& item, const ExactBox& centroids, Lanes scale, int axis) {
     const Lanes place = (item.centroid - centroids.lo) * scale;
     return std::min(static_cast<int>(place[axis]), kBins - 1);
   }
 
-  Split best_split(uint32_t first, uint32_t count, const Box& centroids) const {
+  Split best_split(uint32_t first, uint32_t count, const ExactBox& centroids) const {
     const Lanes scale = bin_scale(centroids);
-    std::array<std::array<Box, kBins>, 3> boxes;
+    std::array<std::array<ExactBox, kBins>, 3> boxes;
+    for (auto& along : boxes) along.fill(ExactBox::empty());
     std::array<std::array<uint32_t, kBins>, 3> counts{};
     for (uint32_t i = first; i < first + count; ++i) {
       const Lanes place = (items_[i].centroid - centroids.lo) * scale;
@@ -153,14 +130,14 @@ class Builder {
     for (size_t axis = 0; axis < 3; ++axis) {
       if (!(scale[axis] > 0)) continue;
       std::array<float, kBins> right_cost{};
-      Box right;
+      ExactBox right = ExactBox::empty();
       uint32_t right_count = 0;
       for (size_t bin = kBins - 1; bin > 0; --bin) {
         right.extend(boxes[axis][bin]);
         right_count += counts[axis][bin];
         right_cost[bin] = static_cast<float>(right_count) * right.half_area();
       }
-      Box left;
+      ExactBox left = ExactBox::empty();
       uint32_t left_count = 0;
       for (size_t bin = 1; bin < kBins; ++bin) {
         left.extend(boxes[axis][bin - 1]);
@@ -173,7 +150,7 @@ class Builder {
     return best;
   }
 
-  uint32_t partition(uint32_t first, uint32_t count, const Box& centroids, const Split& split) {
+  uint32_t partition(uint32_t first, uint32_t count, const ExactBox& centroids, const Split& split) {
     const Lanes scale = bin_scale(centroids);
     const auto begin = items_.begin() + first;
     const auto middle = std::partition(
@@ -181,7 +158,7 @@ class Builder {
     return static_cast<uint32_t>(middle - items_.begin());
   }
 
-  uint32_t median(uint32_t first, uint32_t count, const Box& centroids) {
+  uint32_t median(uint32_t first, uint32_t count, const ExactBox& centroids) {
     const Lanes size = centroids.hi - centroids.lo;
     const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
     const auto begin = items_.begin() + first;
@@ -195,48 +172,6 @@ class Builder {
   std::vector<BuildNode> nodes_;
   std::atomic<uint32_t> next_{1};
   std::atomic<int> spare_;
-};
-
-// The 16-bit grid over the scene, with a cell to spare on each side.
-class Grid {
- public:
-  explicit Grid(const Bounds& bounds) {
-    const vec3 size = bounds.size();
-    const double largest =
-        std::max({static_cast<double>(size.x), static_cast<double>(size.y), static_cast<double>(size.z), 1e-20});
-    for (int k = 0; k < 3; ++k) {
-      // A flat scene still gets cells, small against what rays can resolve.
-      const double extent = std::max(static_cast<double>(size[k]), largest * 1e-3);
-      const double cell = extent / 65533.0;
-      const double lo = static_cast<double>(bounds.lo[k]);
-      origin[k] = std::nextafter(static_cast<float>(lo - cell), -kInfinity);
-      const double span = std::max(lo + extent, static_cast<double>(bounds.hi[k])) - static_cast<double>(origin[k]);
-      scale[k] = std::nextafter(static_cast<float>(span / 65533.0), kInfinity);
-    }
-  }
-
-  // A quarter of a cell of margin on every side (see box_span()), and no more than it takes: a backdrop stretches the
-  // grid until a cell is no longer small against a triangle, and then margins cost more than anything else in the tree.
-  uvec4 child(const Box& box, int32_t reference) const {
-    constexpr double kMargin = 0.25;
-    GridBox cells;
-    for (int k = 0; k < 3; ++k) {
-      const double lo = std::clamp(std::floor(place(box.lo[k], k) - kMargin), 0.0, 65535.0);
-      // The kernels read the high side with the low one as its fraction.
-      const double hi = std::clamp(std::ceil(place(box.hi[k], k) + kMargin - lo / 65536.0), 0.0, 65535.0);
-      cells.lo[k] = static_cast<uint32_t>(lo);
-      cells.hi[k] = static_cast<uint32_t>(hi);
-    }
-    return pack_box(cells, reference);
-  }
-
-  vec3 origin{0};
-  vec3 scale{1};
-
- private:
-  double place(float x, int k) const {
-    return (static_cast<double>(x) - static_cast<double>(origin[k])) / static_cast<double>(scale[k]);
-  }
 };
 
 int32_t leaf_reference(uint32_t first, uint32_t count) { return ~static_cast<int32_t>(first << 3 | (count - 1)); }
@@ -285,7 +220,7 @@ Bvh empty_bvh() {
   Bvh bvh;
   bvh.triangles.assign(3, vec4(0));
   bvh.nodes.assign(2, pack_box({}, leaf_reference(0, 1)));
-  bvh.list = list_of(bvh);
+  make_list(bvh);
   bvh.depth = 1;
   return bvh;
 }
@@ -312,9 +247,7 @@ Bvh build_bvh(std::span<const vec3> positions, std::span<const uvec3> triangles,
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Builder builder(items, threads);
   builder.build();
-  const Box& root = builder.nodes()[0].box;
-  bvh.bounds.lo = vec3(root.lo[0], root.lo[1], root.lo[2]);
-  bvh.bounds.hi = vec3(root.hi[0], root.hi[1], root.hi[2]);
+  bvh.bounds = builder.nodes()[0].box.bounds();
 
   const Grid grid(bvh.bounds);
   bvh.grid_origin = grid.origin;
@@ -322,7 +255,7 @@ Bvh build_bvh(std::span<const vec3> positions, std::span<const uvec3> triangles,
   bvh.nodes.reserve(items.size());
   Flattener(builder.nodes(), grid, bvh).flatten_root(static_cast<uint32_t>(items.size()));
   CHECK(bvh.depth <= kMaxDepth);
-  bvh.list = list_of(bvh);
+  make_list(bvh);
 
   bvh.order.reserve(items.size());
   bvh.triangles.reserve(3 * items.size());
@@ -338,12 +271,12 @@ Bvh build_bvh(std::span<const vec3> positions, std::span<const uvec3> triangles,
   return bvh;
 }
 
-Bvh build_bvh(const Scene& scene) {
+std::vector<uint32_t> flags_of_parts(const Scene& scene) {
   std::vector<uint32_t> flags;
   for (const Part& part : scene.parts)
     flags.push_back((part.material.alpha_mode == AlphaMode::mask ? TRIANGLE_ALPHA_MASK : 0u) |
                     (part.material.double_sided ? TRIANGLE_DOUBLE_SIDED : 0u));
-  return build_bvh(scene.positions, scene.triangles, scene.triangle_part, flags);
+  return flags;
 }
 
 }  // namespace vamp

@@ -76,20 +76,23 @@ bool occluded(const Bvh& bvh, const vec3& origin, const vec3& direction, float t
   return found;
 }
 
+double box_cost(const Bvh& bvh) {
+  double sum = 0;
+  for (const uvec4& child : bvh.nodes) {
+    const int32_t reference = static_cast<int32_t>(child.w);
+    const double tests = reference >= 0 ? 1.0 : static_cast<double>((~reference & 7) + 1);
+    sum += tests * half_area(child, bvh.grid_scale);
+  }
+  return sum;
+}
+
 double sah_cost(const Bvh& bvh) {
   if (bvh.triangle_count() == 0) return 0;
   const vec3 size = bvh.bounds.size();
   const double root = static_cast<double>(size.x) * static_cast<double>(size.y) +
                       static_cast<double>(size.y) * static_cast<double>(size.z) +
                       static_cast<double>(size.z) * static_cast<double>(size.x);
-  if (!(root > 0)) return 0;
-  double sum = 1;
-  for (const uvec4& child : bvh.nodes) {
-    const int32_t reference = static_cast<int32_t>(child.w);
-    const double tests = reference >= 0 ? 1.0 : static_cast<double>((~reference & 7) + 1);
-    sum += tests * half_area(child, bvh.grid_scale) / root;
-  }
-  return sum;
+  return root > 0 ? 1 + box_cost(bvh) / root : 0;
 }
 
 }  // namespace vamp

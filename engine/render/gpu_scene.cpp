@@ -59,6 +59,21 @@ void GpuScene::build_rays(gpu::Device& device) const {
   device.submit(std::move(list));
 }
 
+uint64_t GpuScene::send_moved(gpu::Device& device, const SceneTables& from, const MovedRows& rows) {
+  if (rows.triangles.empty()) return 0;
+  uint64_t bytes = device.upload_rows<uvec4>(nodes.rows, 0, from.bvh.nodes);
+  bytes += device.upload_rows<uvec4>(boxes.rows, 0, from.bvh.list);
+  for (const auto& [first, count] : rows.triangles) {
+    bytes += device.upload_rows<vec4>(triangles.rows, 3 * uint64_t{first},
+                                      std::span(from.bvh.triangles).subspan(3 * size_t{first}, 3 * size_t{count}));
+    if (rows.turned)
+      bytes += device.upload_rows<uvec4>(surface.rows, 4 * uint64_t{first},
+                                         std::span(from.surface).subspan(4 * size_t{first}, 4 * size_t{count}));
+  }
+  build_rays(device);
+  return bytes;
+}
+
 Result<uint64_t> GpuScene::send_materials(gpu::Device& device, const MaterialTables& from) {
   VAMP_TRY(uint64_t bytes, send(device, texels, "texels", VK_FORMAT_R32G32B32A32_UINT, from.texels));
   VAMP_TRY(const uint64_t b1, send(device, entries, "entries", VK_FORMAT_R32G32_UINT, from.entries));

@@ -8,6 +8,7 @@
 #include "engine/gpu/pipeline.h"
 #include "engine/render/kernel_key.h"
 #include "engine/render/material_tables.h"
+#include "engine/render/placed_scene.h"
 #include "engine/render/scene_tables.h"
 #include "engine/scene/environment.h"
 #include "engine/scene/light.h"
@@ -44,6 +45,8 @@ struct GpuScene {
 
   // Each makes its buffers anew and fills them. Errors: a table larger than the device allows. Return bytes sent.
   Result<uint64_t> send_scene(gpu::Device& device, const SceneTables& tables, const TracePath& path);
+  // Into the buffers that are there: what parts that moved have changed of the same tree.
+  uint64_t send_moved(gpu::Device& device, const SceneTables& tables, const MovedRows& rows);
   Result<uint64_t> send_materials(gpu::Device& device, const MaterialTables& tables);
   Result<uint64_t> send_parts(gpu::Device& device, const std::vector<frame::PartRow>& rows);
   Result<uint64_t> send_environment(gpu::Device& device, const Environment* map);

@@ -1,6 +1,7 @@
 #include "engine/render/pick.h"
 
 #include <optional>
+#include <shared_mutex>
 
 #include "engine/render/shown_picture.h"
 
@@ -13,7 +14,11 @@ Pick pick_in(const Drawn& drawn, float x, float y) {
   const float w = static_cast<float>(drawn.width), h = static_cast<float>(drawn.height);
   const CameraFrame camera = camera_frame(project->camera, w / h);
   const vec3 direction = camera_ray(camera, 2 * x / w - 1, 1 - 2 * y / h);
-  const std::optional<Hit> hit = pick(drawn.tables->bvh, camera.origin, direction);
+  std::optional<Hit> hit;
+  {
+    const std::shared_lock lock(*drawn.tables->moving);
+    hit = pick(drawn.tables->bvh, camera.origin, direction);
+  }
   if (!hit) return found;
   const Scene& scene = *project->scene;
   const uvec3 corners = scene.triangles[hit->triangle];

@@ -235,7 +235,7 @@ uint64_t Renderer::prepare_replay() {
 bool Renderer::batches_fit() const { return SAMPLES_PER_HIT * key_.ray_count() <= kMaxRaysOfBatch; }
 
 uint64_t Renderer::refine(int tile, uint32_t limit) {
-  CHECK(!replaying());
+  CHECK(!replaying() && !wants_tree());
   uint32_t& done = samples_[static_cast<size_t>(tile)];
   const uint32_t batch = next_batch(done, limit);
   const uint64_t value = submit_batch(push_of(tiles_[static_cast<size_t>(tile)], done), false, true, batch, set_);
@@ -249,7 +249,7 @@ uint64_t Renderer::preview(uint32_t stride) {
 }
 
 uint64_t Renderer::refine_all(uint32_t limit) {
-  CHECK(!replaying());
+  CHECK(!replaying() && !wants_tree());
   const uint32_t done = samples_.front();
   CHECK(std::all_of(samples_.begin(), samples_.end(), [&](uint32_t s) { return s == done; }));
   const uint32_t batch = next_batch(done, limit);

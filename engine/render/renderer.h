@@ -13,6 +13,7 @@
 #include "engine/render/gpu_scene.h"
 #include "engine/render/kernels.h"
 #include "engine/render/material_tables.h"
+#include "engine/render/placed_scene.h"
 #include "engine/render/region.h"
 #include "engine/render/replay.h"
 #include "engine/render/scene_tables.h"
@@ -54,6 +55,16 @@ class Renderer {
   // Whether a picture of the project could be begun without waiting for kernels; if not, they are wanted from now on.
   // Of the first project always.
   bool has_kernels_for(const Project& project);
+
+  // From now on set_project() makes no new tree where parts have moved far, which takes some ten frames' time, but goes
+  // on with the old one until make_tree(). Meanwhile the picture can be previewed and not refined, so that its samples
+  // are all of one tree: rays that hit two triangles in one place see the one that comes first in it.
+  // Where the device traces rays itself no other tree is ever wanted.
+  void make_trees_later() { trees_later_ = true; }
+  bool wants_tree() const { return placed_ && !key_.path.ray_queries && placed_->wants_tree(); }
+  // Makes it whether it is wanted or not. Nothing of the picture may be in flight, and no sample be counted. Errors:
+  // too large for the device, which then needs another project.
+  Status make_tree();
 
   // Instead of the device's trace_paths(). Before set_project().
   void set_trace_path(const TracePath& path) { key_.path = path; }
@@ -184,6 +195,8 @@ class Renderer {
   void make_descriptor_set();
   uint64_t send_frame();
   bool geometry_differs(const Project& now) const;
+  bool parts_moved(const Project& now) const;
+  Result<bool> take_geometry(const Project& now, Change& change);
   bool materials_differ(const Project& now) const;
   bool lights_moved(const Project& now) const;
   bool shades_again(const Project& now) const;
@@ -191,7 +204,9 @@ class Renderer {
   gpu::Device* device_;
   Kernels kernels_;
   std::shared_ptr<const Project> project_;
-  std::shared_ptr<const SceneTables> scene_tables_;
+  bool trees_later_ = false;
+  std::optional<PlacedScene> placed_;
+  std::shared_ptr<const SceneTables> scene_tables_;  // as the device has them
   MaterialTables material_tables_;
   std::vector<frame::PartRow> part_rows_;
   LightDraws draws_;

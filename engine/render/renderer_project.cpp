@@ -24,19 +24,9 @@ bool same_geometry(Light a, Light b) {
   return a == b;
 }
 
-std::vector<bool> visible_parts(const Project& project) {
-  std::vector<bool> visible;
-  for (const PartState& part : project.parts) visible.push_back(part.visible);
-  return visible;
-}
-
 uint32_t highlight_code(const frame::PartRow& row) { return row.flags >> PART_HIGHLIGHT_SHIFT; }
 
 }  // namespace
-
-bool Renderer::geometry_differs(const Project& now) const {
-  return !project_ || now.scene != project_->scene || visible_parts(now) != visible_parts(*project_);
-}
 
 bool Renderer::materials_differ(const Project& now) const {
   if (geometry_differs(now) || now.materials.size() != project_->materials.size()) return true;
@@ -85,15 +75,12 @@ Result<Change> Renderer::take_project(std::shared_ptr<const Project> next) {
     touched |= seen;
     weights_alone = false;
   };
-  if (geometry_differs(now)) {
-    scene_tables_ = std::make_shared<SceneTables>(build_scene_tables(*now.scene, visible_parts(now)));
-    VAMP_TRY(const uint64_t bytes, gpu_.send_scene(*device_, *scene_tables_, key_.path));
-    change.bytes += bytes;
-    new_tables = true;
+  const bool new_geometry = geometry_differs(now);
+  if (new_geometry || parts_moved(now)) {
+    VAMP_TRY(new_tables, take_geometry(now, change));
     change.places_moved = true;
-    restart("geometry");
+    restart(new_geometry ? "geometry" : "part moved");
   }
-  const bool new_geometry = new_tables;
   if (materials_differ(now)) {
     VAMP_TRY(material_tables_, build_material_tables(now, sums_));
     VAMP_TRY(const uint64_t bytes, gpu_.send_materials(*device_, material_tables_));

@@ -67,40 +67,64 @@ uint32_t pack_tangent(const vec4& tangent) {
   return quantise(p.x, 65535) << 16 | quantise(p.y, 32767) << 1 | (tangent.w < 0 ? 1u : 0u);
 }
 
-SceneTables build_scene_tables(const Scene& scene, const std::vector<bool>& visible) {
-  CHECK(visible.size() == scene.parts.size());
+void write_directions(const Scene& scene, uint32_t triangle, const RigidMotion& motion, uvec4* surface) {
+  const uvec3 v = scene.triangles[triangle];
+  const auto normal = [&](uint32_t vertex) { return pack_normal(motion.direction(scene.normals[vertex])); };
+  const auto tangent = [&](uint32_t vertex) {
+    const vec4& t = scene.tangents[vertex];
+    return pack_tangent(vec4(motion.direction(vec3(t)), t.w));
+  };
+  surface[0].x = normal(v.x);
+  surface[0].y = normal(v.y);
+  surface[0].z = normal(v.z);
+  surface[2].z = tangent(v.x);
+  surface[2].w = tangent(v.y);
+  surface[3].x = tangent(v.z);
+}
+
+SceneTables build_triangle_tables(const Scene& scene, const std::vector<bool>& visible,
+                                  std::span<const RigidMotion> motions) {
+  CHECK(visible.size() == scene.parts.size() && (motions.empty() || motions.size() == visible.size()));
   SceneTables tables;
 
-  // Hidden parts are left out of the tree, so that they cost nothing.
-  if (std::all_of(visible.begin(), visible.end(), [](bool shown) { return shown; })) {
-    tables.bvh = build_bvh(scene);
-  } else {
-    Scene shown;
-    shown.positions = scene.positions;
-    std::vector<uint32_t> kept;
-    for (size_t i = 0; i < scene.triangles.size(); ++i)
-      if (visible[scene.triangle_part[i]]) {
-        shown.triangles.push_back(scene.triangles[i]);
-        shown.triangle_part.push_back(scene.triangle_part[i]);
-        kept.push_back(static_cast<uint32_t>(i));
-      }
-    shown.parts = scene.parts;
-    tables.bvh = build_bvh(shown);
-    for (uint32_t& triangle : tables.bvh.order) triangle = kept[triangle];
+  // Hidden parts are left out of the tree, so that they cost nothing. Corners stand alone: parts that move apart may
+  // share vertices.
+  std::vector<uint32_t> shown, part_of_shown;
+  std::vector<vec3> corners;
+  std::vector<uvec3> triangles;
+  for (uint32_t i = 0; i < scene.triangles.size(); ++i) {
+    const uint32_t part = scene.triangle_part[i];
+    if (!visible[part]) continue;
+    const auto first = static_cast<uint32_t>(corners.size());
+    for (int k = 0; k < 3; ++k) {
+      const vec3& position = scene.positions[scene.triangles[i][k]];
+      corners.push_back(motions.empty() ? position : motions[part].point(position));
+    }
+    triangles.emplace_back(first, first + 1, first + 2);
+    shown.push_back(i);
+    part_of_shown.push_back(part);
   }
+  tables.bvh = build_bvh(corners, triangles, part_of_shown, flags_of_parts(scene));
+  for (uint32_t& triangle : tables.bvh.order) triangle = shown[triangle];
 
   tables.surface.reserve(4 * tables.bvh.order.size());
   const auto bits = [](float value) { return std::bit_cast<uint32_t>(value); };
+  const RigidMotion at_rest;
   for (const uint32_t triangle : tables.bvh.order) {
     const uvec3 v = scene.triangles[triangle];
     const vec2 uv[3] = {scene.uvs[v.x], scene.uvs[v.y], scene.uvs[v.z]};
-    tables.surface.emplace_back(pack_normal(scene.normals[v.x]), pack_normal(scene.normals[v.y]),
-                                pack_normal(scene.normals[v.z]), scene.triangle_part[triangle]);
+    const uint32_t part = scene.triangle_part[triangle];
+    tables.surface.emplace_back(0u, 0u, 0u, part);
     tables.surface.emplace_back(bits(uv[0].x), bits(uv[0].y), bits(uv[1].x), bits(uv[1].y));
-    tables.surface.emplace_back(bits(uv[2].x), bits(uv[2].y), pack_tangent(scene.tangents[v.x]),
-                                pack_tangent(scene.tangents[v.y]));
-    tables.surface.emplace_back(pack_tangent(scene.tangents[v.z]), 0u, 0u, 0u);
+    tables.surface.emplace_back(bits(uv[2].x), bits(uv[2].y), 0u, 0u);
+    tables.surface.emplace_back(0u);
+    write_directions(scene, triangle, motions.empty() ? at_rest : motions[part], &tables.surface.end()[-4]);
   }
+  return tables;
+}
+
+SceneTables build_scene_tables(const Scene& scene, const std::vector<bool>& visible) {
+  SceneTables tables = build_triangle_tables(scene, visible, {});
   for (const Part& part : scene.parts) append_alpha(scene, part, tables);
   return tables;
 }

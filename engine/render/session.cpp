@@ -31,6 +31,9 @@ constexpr uint32_t kReplaySamples = 1u << 16, kGatheredSamples = 1u << 14;
 // A window's frame takes 4 ms where nothing else computes, and twice to four times as long beside the next samples.
 constexpr std::chrono::milliseconds kShowing(12);
 
+// A hand that drags a part rests when it has not moved for so long: then there is time for a new tree.
+constexpr std::chrono::milliseconds kRest{100};
+
 }  // namespace
 
 class RenderSession::Impl {
@@ -44,6 +47,7 @@ class RenderSession::Impl {
     const uint64_t history = edit_memory / kAll * kHistoryBytes + edit_memory % kAll * kHistoryBytes / kAll;
     renderer_.set_history(history);
     renderer_.set_weight_memory(edit_memory - history);
+    renderer_.make_trees_later();
     if (kernels == Kernels::in_background)
       renderer_.make_kernels_in_background([this] {
         const std::lock_guard lock(mutex_);
@@ -166,14 +170,7 @@ class RenderSession::Impl {
     std::string reason;
     {
       std::unique_lock lock(mutex_);
-      if (awaits_showing_ > 0)
-        wake_.wait_for(lock, kShowing, [&] { return awaits_showing_ == 0 || stop_ || lose_device_ || next_project_; });
-      awaits_showing_ = 0;
-      wake_.wait(lock, [&] {
-        const bool offers = next_project_ && next_project_ != waits_for_kernels_;
-        return stop_ || lose_device_ || offers || next_size_ || next_group_ || kernels_arrived_ ||
-               (!refused_ && (busy_.load() || (!paused_ && !finished_.load())));
-      });
+      wait_for_work(lock);
       if (stop_) return false;
       if (lose_device_) throw MachineError(ErrorKind::device_lost, "the device was lost on request");
       kernels_arrived_ = false;
@@ -203,6 +200,20 @@ class RenderSession::Impl {
     return true;
   }
 
+  void wait_for_work(std::unique_lock<std::mutex>& lock) {
+    if (awaits_showing_ > 0)
+      wake_.wait_for(lock, kShowing, [&] { return awaits_showing_ == 0 || stop_ || lose_device_ || next_project_; });
+    awaits_showing_ = 0;
+    const auto asked = [&] {
+      const bool offers = next_project_ && next_project_ != waits_for_kernels_;
+      return stop_ || lose_device_ || offers || next_size_ || next_group_ || kernels_arrived_;
+    };
+    if (rests_before_tree())
+      wake_.wait_until(lock, taken_ + kRest, asked);
+    else
+      wake_.wait(lock, [&] { return asked() || (!refused_ && (busy_.load() || (!paused_ && !finished_.load()))); });
+  }
+
   bool may_take(const std::shared_ptr<const Project>& project, bool resized) {
     // A drag sends edits faster than a large material is shaded: each of them gets its first whole picture.
     if (owes_picture_ && renderer_.replaying() && !resized) return false;
@@ -216,6 +227,10 @@ class RenderSession::Impl {
   void work() {
     if (refused_ || renderer_.region().width == 0) return;
     if (std::exchange(wants_preview_, false)) return answer(renderer_.preview(preview_stride()));
+    if (renderer_.wants_tree()) {
+      if (Clock::now() >= taken_ + kRest) make_tree();
+      return;
+    }
     if (renderer_.replaying()) return shade_again();
     if (wants_weights()) {
       device_.wait(renderer_.gather_weights(finished_, kGatheredSamples));
@@ -229,18 +244,31 @@ class RenderSession::Impl {
     if (!finished_) refine_tile();
   }
 
+  // The first look is there, and what follows needs a new tree.
+  bool rests_before_tree() const {
+    return !refused_ && !wants_preview_ && renderer_.region().width > 0 && renderer_.wants_tree();
+  }
+
+  void make_tree() {
+    const Status made = renderer_.make_tree();
+    if (!made) refuse(made.error());
+    pass_start_ = Clock::now();
+  }
+
+  void refuse(const Error& error) {
+    spdlog::error("{}", error.message());
+    refused_ = true;
+    const std::lock_guard lock(mutex_);
+    status_.error = error.message();
+  }
+
   // Sums for the weights at hand come before more samples, for single channels after them.
   bool wants_weights() const { return cursor_ == 0 && renderer_.wants_weights(finished_); }
 
   void take_project(std::shared_ptr<const Project> project, const std::string& reason) {
     const Result<Change> change = renderer_.set_project(project);
-    if (!change) {
-      spdlog::error("{}", change.error().message());
-      refused_ = true;
-      const std::lock_guard lock(mutex_);
-      status_.error = change.error().message();
-      return;
-    }
+    taken_ = Clock::now();
+    if (!change) return refuse(change.error());
     refused_ = false;
     shown_.draw(project, renderer_);
     if (change->restarted && change->places_moved) shown_.forget_ids();
@@ -453,6 +481,7 @@ class RenderSession::Impl {
   Goal goal_;
   std::deque<double> pass_ms_;
   Clock::time_point start_ = Clock::now(), pass_start_ = start_;
+  Clock::time_point taken_ = start_;  // when the last project came
 
   // What was asked for, and what is told; guarded by mutex_.
   std::shared_ptr<const Project> next_project_;

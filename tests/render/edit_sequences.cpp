@@ -33,7 +33,15 @@ void EditedPicture::show(Renderer& renderer, const Project& project) {
   last = *change;
 }
 
+// As the window does when the hand rests.
+void EditedPicture::settle(Renderer& renderer) {
+  if (!renderer.wants_tree()) return;
+  ++trees;
+  ASSERT_TRUE(renderer.make_tree());
+}
+
 std::vector<float> EditedPicture::finish(Renderer& renderer, uint32_t samples) {
+  settle(renderer);
   uint64_t value = 0;
   while (renderer.replaying()) value = renderer.replay(700);
   for (int tile = 0; tile < renderer.tile_count(); ++tile)
@@ -86,6 +94,30 @@ void edit_at_random(Project& project, std::mt19937& random) {
   }
 }
 
+// A little, or through other parts and beyond the scene; back to where it was; hidden and shown.
+void move_at_random(Project& project, std::mt19937& random) {
+  const auto unit = [&] { return static_cast<float>(random() % 2001) / 1000.0f - 1; };
+  PartState& part = project.parts[random() % project.parts.size()];
+  switch (random() % 6) {
+    case 0:
+      part.place.offset += 0.05f * vec3(unit(), unit(), unit());
+      break;
+    case 1:
+    case 5:
+      part.place.offset = 2.0f * vec3(unit(), unit(), unit());
+      break;
+    case 2:
+      part.place.turn = 3.0f * vec3(unit(), unit(), unit());
+      break;
+    case 3:
+      part.place = {};
+      break;
+    case 4:
+      part.visible = !part.visible;
+      break;
+  }
+}
+
 // A function in one cluster, or in all of them.
 WeightGroup rows_at_random(const Project& project, std::mt19937& random) {
   WeightGroup group;
@@ -119,7 +151,10 @@ void EditedPicture::run(const Sequence& sequence) {
   std::mt19937 random(sequence.seed);
   Project project = two_materials();
   project.parts[0].mirror_f0 = sequence.mirror;
-  if (!edited_) edited_ = std::make_unique<Renderer>(*device);
+  if (!edited_) {
+    edited_ = std::make_unique<Renderer>(*device);
+    edited_->make_trees_later();
+  }
   Renderer& renderer = *edited_;
   renderer.set_weights_at_hand({});
   renderer.set_history(sequence.history);
@@ -129,18 +164,27 @@ void EditedPicture::run(const Sequence& sequence) {
   bool exact = true;
   std::vector<float> brightest;
   const uint32_t first = random() % 8;
+  settle(renderer);
   for (int tile = 0; tile < renderer.tile_count(); ++tile)
     while (renderer.samples_of(tile) < first) renderer.refine(tile, first);
   for (int step = 0; step < 32; ++step) {
     const uint32_t what = random() % 6;
-    if (what < 2) {
+    if (sequence.moves && random() % 3 == 0) {
+      // A drag: first looks alone until the hand rests.
+      for (uint32_t i = random() % 4; i < 4; ++i) {
+        move_at_random(project, random);
+        show(renderer, project);
+        if (last.restarted && !renderer.replaying()) renderer.preview(2 + random() % 3);
+      }
+      settle(renderer);
+    } else if (what < 2) {
       const bool weights = !group.rows.empty() && random() % 4 != 0;
       if (weights)
         pull_weights(project, group, random);
       else
         edit_at_random(project, random);
       show(renderer, project);
-      EXPECT_FALSE(step > 0 && last.restarted) << last.what;
+      EXPECT_FALSE(step > 0 && last.restarted && !sequence.moves) << last.what;
       if (last.recombined > 0) {
         ++recombined;
         exact = false;

@@ -27,16 +27,19 @@ class EditedPicture : public RenderTest {
     uint64_t history = 0;  // bytes for stored hits
     float mirror = 0;      // of the floor
     bool weights = false;  // rows are selected now and then, and their sums gathered
+    bool moves = false;    // parts are moved, turned, hidden and shown now and then
     uint32_t seed = 0;
   };
   void run(const Sequence& sequence);
   uint64_t recombined = 0;  // edits answered from sums so far
+  uint64_t trees = 0;       // made anew because of moves so far
 
   Change last;
 
  private:
   // Kept from one sequence to the next: their kernels are compiled once.
   std::unique_ptr<Renderer> edited_, fresh_;
+  void settle(Renderer& renderer);
 };
 
 bool same_bytes(const std::vector<float>& a, const std::vector<float>& b);

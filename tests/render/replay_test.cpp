@@ -18,6 +18,13 @@ TEST_F(ReplayTest, AnySequenceOfEditsEndsInTheFreshPicture) {
     for (uint32_t seed = 0; seed < 3; ++seed) run({.history = history, .mirror = mirror, .seed = seed});
 }
 
+TEST_F(ReplayTest, SoDoesAnySequenceOfEditsAndMovesOfParts) {
+  for (const auto& [history, mirror] : {std::pair(0u, 0.0f), {8u << 20, 0.0f}, {8u << 20, 0.5f}})
+    for (uint32_t seed = 0; seed < 3; ++seed)
+      run({.history = history, .mirror = mirror, .weights = true, .moves = true, .seed = 50 + seed});
+  EXPECT_GT(trees, 3u);
+}
+
 TEST_F(ReplayTest, OnlyPixelsThatSeeTheEditAreShadedAgain) {
   Project project = test::two_materials();
   Renderer renderer(*device);

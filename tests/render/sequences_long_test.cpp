@@ -13,11 +13,13 @@ TEST_F(Long, ThousandsOfSequencesOfEditsEndInTheFreshPicture) {
     run({.history = histories[seed % 3],
          .mirror = mirror ? 0.5f : 0.0f,
          .weights = seed % 2 == 0,
+         .moves = seed % 7 < 3,
          .seed = 1000 + seed});
     if (HasFailure()) break;
   }
   // Enough of them were answered from sums to tell.
   EXPECT_GT(recombined, 500u);
+  EXPECT_GT(trees, 500u);
 }
 
 }  // namespace
