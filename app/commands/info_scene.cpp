@@ -2,6 +2,7 @@
 #include "app/commands/info.h"
 #include "engine/material/tables.h"
 #include "engine/project/project_file.h"
+#include "engine/project/quantity_json.h"
 
 namespace vamp {
 namespace {
@@ -118,6 +119,8 @@ Result<Json> project_info(const fs::path& path) {
     entry["edited_rows"] = material.edits.bases.size();
     entry["visible"] = state.visible;
     entry["mirror_f0"] = json_number(state.mirror_f0);
+    entry["offset_mm"] = json_vector(state.place.offset, static_cast<double>(project.mm_per_unit));
+    entry["turn_degrees"] = json_vector(state.place.turn, kDegreesPerRadian);
     json["parts"].push_back(std::move(entry));
   }
   json["lights"] = lights_info(project.lights);

@@ -30,6 +30,16 @@ Result<uint32_t> count_option(std::string_view text, std::string_view option, ui
   return fail(ErrorKind::usage, "", option, fmt::format("a whole number from {} to {}", low, high), quoted(text));
 }
 
+Result<vec3> vector_option(std::string_view text, std::string_view option, float low, float high) {
+  const std::vector<std::string_view> pieces = list_option(text);
+  vec3 value(0);
+  bool good = pieces.size() == 3;
+  for (int i = 0; good && i < 3; ++i)
+    good = read_whole(pieces[static_cast<size_t>(i)], value[i]) && value[i] >= low && value[i] <= high;
+  if (good) return value;
+  return fail(ErrorKind::usage, "", option, fmt::format("x,y,z, each from {:g} to {:g}", low, high), quoted(text));
+}
+
 std::vector<std::string_view> list_option(std::string_view text) {
   std::vector<std::string_view> pieces;
   if (text.empty()) return pieces;

@@ -17,6 +17,7 @@ namespace vamp {
 namespace {
 
 constexpr float kRadiansPerDegree = 0.017453292519943295f;
+constexpr float kMaxDegrees = 3600;
 
 Result<std::vector<Layer>> read_layers(const std::string& text) {
   std::vector<Layer> layers;
@@ -115,6 +116,13 @@ void add_render_options(CLI::App& verb, RenderText& text) {
   verb.add_option("--mirror", text.mirrors, "Mirror reflection of a part, 0 to 1; may be repeated")
       ->type_name("PART=F0")
       ->allow_extra_args(false);
+  verb.add_option("--move", text.moves, "Moves a part from where the model has it, in scene units; may be repeated")
+      ->type_name("PART=X,Y,Z")
+      ->allow_extra_args(false);
+  verb.add_option("--turn", text.turns,
+                  "Turns a part about its middle, in degrees about X, then Y, then Z; may be repeated")
+      ->type_name("PART=X,Y,Z")
+      ->allow_extra_args(false);
   option("--exposure", text.exposure, "STOPS", "Stops; for .png");
   option("--aov", text.layers, "LAYERS", "Layers of an .exr: depth,normal,uv,part,cluster,ao");
   option("--tap", text.tap, "WORD", "Texels of a sample: stochastic (one, drawn by weight) or four (blended)");
@@ -155,7 +163,7 @@ Result<RenderOptions> read_render_options(const RenderText& text) {
   VAMP_CHECK_STATUS(read_given(text.ao_radius, options.ao_radius, number("--ao-radius", 0, kMaxCoordinate)));
   VAMP_CHECK_STATUS(read_given(text.exposure, options.exposure, number("--exposure", -kMaxExposure, kMaxExposure)));
   VAMP_CHECK_STATUS(read_given(text.environment_rotation, options.environment_rotation,
-                               number("--environment-rotation", -3600, 3600)));
+                               number("--environment-rotation", -kMaxDegrees, kMaxDegrees)));
   VAMP_CHECK_STATUS(read_given(text.environment_intensity, options.environment_intensity,
                                number("--environment-intensity", 0, kMaxEnvironmentIntensity)));
   for (const std::string& value : text.materials) {
@@ -166,6 +174,16 @@ Result<RenderOptions> read_render_options(const RenderText& text) {
     VAMP_TRY(const auto pair, pair_option(value, "--mirror"));
     VAMP_TRY(const float f0, number_option(pair.second, "--mirror", 0, 1));
     options.mirrors.emplace_back(pair.first, f0);
+  }
+  for (const std::string& value : text.moves) {
+    VAMP_TRY(const auto pair, pair_option(value, "--move"));
+    VAMP_TRY(const vec3 offset, vector_option(pair.second, "--move", -kMaxCoordinate, kMaxCoordinate));
+    options.moves.emplace_back(pair.first, offset);
+  }
+  for (const std::string& value : text.turns) {
+    VAMP_TRY(const auto pair, pair_option(value, "--turn"));
+    VAMP_TRY(const vec3 degrees, vector_option(pair.second, "--turn", -kMaxDegrees, kMaxDegrees));
+    options.turns.emplace_back(pair.first, degrees * kRadiansPerDegree);
   }
   VAMP_TRY(options.layers, read_layers(text.layers));
   if (!text.tap.empty() && text.tap != "stochastic" && text.tap != "four")
@@ -197,6 +215,14 @@ Status apply_render_options(const RenderText& text, const RenderOptions& options
   for (const auto& [name, f0] : options.mirrors) {
     VAMP_TRY(const int part, part_called(project, name, "--mirror"));
     project.parts[static_cast<size_t>(part)].mirror_f0 = f0;
+  }
+  for (const auto& [name, offset] : options.moves) {
+    VAMP_TRY(const int part, part_called(project, name, "--move"));
+    project.parts[static_cast<size_t>(part)].place.offset = offset;
+  }
+  for (const auto& [name, turn] : options.turns) {
+    VAMP_TRY(const int part, part_called(project, name, "--turn"));
+    project.parts[static_cast<size_t>(part)].place.turn = turn;
   }
 
   if (options.seed) project.settings.seed = *options.seed;

@@ -19,7 +19,7 @@ namespace vamp {
 struct RenderText {
   std::string scene, from, output, size, samples, time, noise, seed, camera, ambient, background;
   std::string environment, environment_rotation, environment_intensity, ao_radius, exposure, layers, tap;
-  std::vector<std::string> lights, materials, mirrors;
+  std::vector<std::string> lights, materials, mirrors, moves, turns;
   bool pixel_centres = false, hide_environment = false;
   SnapshotFormat format;
 };
@@ -35,6 +35,7 @@ struct RenderOptions {
   std::optional<vec3> ambient, background;
   std::vector<std::pair<std::string, std::string>> materials;  // part, preset
   std::vector<std::pair<std::string, float>> mirrors;          // part, F0
+  std::vector<std::pair<std::string, vec3>> moves, turns;      // part, scene units and radians
   std::vector<Layer> layers;
   std::optional<TexelTap> tap;
 };

@@ -57,6 +57,29 @@ TEST_F(Render, AnExrHoldsTheLayersThatWereAskedFor) {
   EXPECT_EQ(image.at(0, 0, *image.channel("part.Y")), 1);
 }
 
+TEST_F(Render, PartsStandWhereTheyAreAskedToAndDoSoAgain) {
+  const std::vector<std::string> how = {"-o",
+                                        "a.exr",
+                                        "--camera",
+                                        "eye=0,1.95,0,target=0,0,0,fov=40,up=0,0,-1",
+                                        "--size",
+                                        "5x5",
+                                        "--aov",
+                                        "depth,part",
+                                        "--move",
+                                        "Box=0,0.25,0",
+                                        "--turn",
+                                        "Box=0,45,0",
+                                        "--pixel-centres"};
+  const Ended ended = render(how);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Image image = picture("a.exr");
+  EXPECT_NEAR(image.at(2, 2, *image.channel("depth.Z")), 1.65, 1e-5);
+  EXPECT_EQ(image.at(2, 2, *image.channel("part.Y")), 0);
+  ASSERT_EQ(render({"--from", "a.exr", "-o", "b.exr", "--aov", "depth,part"}).code, 0);
+  EXPECT_EQ(picture("b.exr").pixels, image.pixels);
+}
+
 TEST_F(Render, OptionsStandOverTheScenesOwnLight) {
   ASSERT_EQ(render({"-o", "dark.exr", "--ambient", "0,0,0"}).code, 0);
   const Image dark = picture("dark.exr");

@@ -80,6 +80,14 @@ TEST_F(Usage, NumbersAreReadWholeAndInRange) {
   expect_refused("--bits", "12");
 }
 
+TEST_F(Usage, PlacesOfPartsAreReadWholeAndInRange) {
+  for (const char* option : {"--move", "--turn"})
+    for (const char* bad : {"Sole", "Sole=", "=1,2,3", "Sole=1,2", "Sole=1,2,3,4", "Sole=1,2,x", "Sole=1,,3",
+                            "Sole=nan,0,0", "Sole=0,0,1e9"})
+      expect_refused(option, bad);
+  expect_refused("--move", "Heel cap=1,2,3", "one of the parts");
+}
+
 TEST_F(Usage, OptionsThatExcludeEachOther) {
   expect({"render", "-o", "x.png", "--samples", "5", "--time", "3"}, 2, "--time");
   expect({"render", "a.glb", "-o", "x.png", "--from", "b.png"}, 2, "--from");
