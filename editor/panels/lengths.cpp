@@ -54,6 +54,12 @@ Parameter coordinate_row(const Project& project, const char* label, const char* 
   return row;
 }
 
+Parameter shift_row(const Project& project, const char* label, const char* description, float value_mm) {
+  const float reach = round_up(std::max(2 * model_radius_mm(project), std::abs(value_mm)));
+  Parameter row{label, -reach, reach, 0, "%.1f mm", description, "mm", &kFromMiddle};
+  return row;
+}
+
 Parameter length_row(const Project& project, const char* label, const char* description, float value_mm,
                      float initial_mm) {
   const float high = round_up(std::max({10 * model_radius_mm(project), value_mm, initial_mm}));

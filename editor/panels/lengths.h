@@ -14,6 +14,9 @@ extern const Mapping kLogFromZero;
 Parameter coordinate_row(const Project& project, const char* label, const char* description, float value_mm,
                          float initial_mm);
 
+// How far something is moved to either side, in mm: up to about twice the model's size, or as far as `value`.
+Parameter shift_row(const Project& project, const char* label, const char* description, float value_mm);
+
 // A length above 0 in mm.
 Parameter length_row(const Project& project, const char* label, const char* description, float value_mm,
                      float initial_mm);

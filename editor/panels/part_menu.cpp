@@ -67,6 +67,13 @@ void part_menu(PanelContext& context, int part) {
     context.document.edit(show_part(*project, part, !state.visible));
   if (ImGui::MenuItem("Hide others", "Shift+H")) context.document.edit(show_only(*project, part));
   if (ImGui::MenuItem("Show all", "Alt+H")) context.document.edit(show_only(*project, -1));
+  ImGui::Separator();
+  const auto moved = [](const PartState& each) { return each.place != Placement{}; };
+  if (ImGui::MenuItem("Put back", nullptr, false, moved(state))) context.document.edit(put_back(*project, part));
+  hover_text("Where the model has the part");
+  if (ImGui::MenuItem("Put all parts back", nullptr, false,
+                      std::any_of(project->parts.begin(), project->parts.end(), moved)))
+    context.document.edit(put_back(*project, -1));
 }
 
 void copy_material(PanelContext& context, int part) {

@@ -11,6 +11,7 @@
 #include "editor/panels/lengths.h"
 #include "editor/panels/material_drop.h"
 #include "editor/panels/part_menu.h"
+#include "editor/panels/part_place.h"
 #include "editor/panels/view_commands.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/controls.h"
@@ -151,6 +152,10 @@ void PartsPanel::draw_part(PanelContext& context, int part) {
              {"Mirror F0", 0, 1, 0, "%.3f",
               "Mirror reflection seen head-on: 0 is none, 0.04 a lacquer, 1 a perfect mirror.", "share", &kSquare},
              state.mirror_f0, [&](float value) { return set_mirror(*project, part, value); });
+  gap(2);
+  if (!section("Place", &place_open_)) return;
+  gap(4);
+  draw_part_place(context, part);
 }
 
 }  // namespace vamp::ui

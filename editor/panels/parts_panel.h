@@ -16,6 +16,7 @@ class PartsPanel {
   void draw_part(PanelContext& context, int part);
   std::string search_;
   int shown_ = -1;  // the part that the table has scrolled to
+  bool place_open_ = true;
 };
 
 }  // namespace vamp::ui

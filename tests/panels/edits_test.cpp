@@ -5,6 +5,7 @@
 #include "editor/panels/fit_figures.h"
 #include "editor/panels/lengths.h"
 #include "editor/panels/part_menu.h"
+#include "editor/panels/part_place.h"
 #include "tests/panels/panel_test.h"
 
 namespace vamp::ui {
@@ -183,6 +184,68 @@ TEST_F(BasisRows, TheNormalsDiskDrags) {
   EXPECT_GT(after.z, 0);
   EXPECT_THAT(document_.undo_name(), HasSubstr("Normal"));
   EXPECT_EQ(document_.step_names().size(), 1u);
+}
+
+class PartPlace : public PanelTest {
+ protected:
+  void step(int frames = 1) {
+    for (int i = 0; i < frames; ++i) {
+      frame([&] {
+        columns_ = next_row();
+        draw_part_place(context_, part_);
+      });
+      take_abandoned_edit();
+    }
+  }
+  // 0 to 2: moves along the axes, 3 to 5: turns.
+  void drag(int row, float from, float to) {
+    const float y = columns_.top + kRow * (static_cast<float>(row) + 0.5f);
+    const auto x = [&](float t) { return columns_.control + t * (columns_.control_end - columns_.control); };
+    move(x(from), y);
+    step(2);
+    press(true);
+    step();
+    for (int i = 1; i <= 8; ++i) {
+      move(x(from + (to - from) * static_cast<float>(i) / 8), y);
+      step();
+    }
+    press(false);
+    step(2);
+  }
+  const Placement& place() const { return document_.project()->parts[static_cast<size_t>(part_)].place; }
+  int part_ = find_part(*document_.project(), "Vamp");
+  RowColumns columns_{};
+};
+
+TEST_F(PartPlace, ADragOfAMoveIsOneStepInMillimetres) {
+  const Project before = *document_.project();
+  step(2);
+  drag(1, 0.5f, 0.75f);
+  ASSERT_EQ(document_.step_names(), std::vector<std::string>{"Place of Vamp"});
+  EXPECT_EQ(place().offset.x, 0);
+  EXPECT_EQ(place().offset.z, 0);
+  EXPECT_EQ(place().turn, vec3(0));
+  // A quarter of the slider beyond its middle is a quarter of the range, which is 1,000 mm for a model of this size.
+  EXPECT_NEAR(place().offset.y, 0.25f, 0.05f);
+  EXPECT_TRUE(document_.undo());
+  EXPECT_TRUE(*document_.project() == before);
+}
+
+TEST_F(PartPlace, TurnsAreInDegreesAndTheButtonPutsThePartBack) {
+  step(2);
+  drag(4, 0.5f, 0.75f);
+  EXPECT_NEAR(place().turn.y, 1.5707963f, 0.1f);
+  EXPECT_EQ(document_.undo_name(), "Turn of Vamp");
+  drag(0, 0.5f, 0.6f);
+  EXPECT_EQ(document_.step_names().size(), 2u);
+  move(columns_.left + 10, columns_.top + 6 * kRow + 12);
+  step(2);
+  press(true);
+  step();
+  press(false);
+  step(2);
+  EXPECT_EQ(place(), Placement{});
+  EXPECT_EQ(document_.undo_name(), "Put back Vamp");
 }
 
 TEST(Coordinates, ReachAsFarAsTheyMustAndMapBothWays) {

@@ -216,6 +216,25 @@ TEST(Subject, FloorsAndHiddenPartsAreLeftOut) {
   EXPECT_EQ(subject_bounds(project), project.scene->bounds);
 }
 
+TEST(Subject, StandsWhereItsPartsWereMoved) {
+  Project project = shoe_in_a_box();
+  const Bounds before = subject_bounds(project);
+  const auto vamp = static_cast<size_t>(find_part(project, "Vamp"));
+  project.parts[vamp].place.offset = vec3(0, 2, 0);
+  EXPECT_EQ(subject_bounds(project).hi.y, 2.1f);
+  EXPECT_EQ(subject_bounds(project).lo, before.lo);
+  Bounds points;
+  for (const vec3& p : part_points(project, static_cast<int>(vamp))) points.extend(p);
+  EXPECT_EQ(points.lo.y, 2);
+  EXPECT_EQ(points.hi.y, 2.1f);
+  // Turned by an eighth the box is wider by the root of two, about its middle.
+  project.parts[vamp].place = {{}, {0, 0.785398163f, 0}};
+  points = {};
+  for (const vec3& p : part_points(project, static_cast<int>(vamp))) points.extend(p);
+  EXPECT_NEAR(points.hi.x, 0.141421356f, 1e-6f);
+  EXPECT_NEAR(points.lo.y, 0, 1e-6f);
+}
+
 TEST_F(Viewport, ADoubleClickOnNothingFits) {
   document_.set_camera(dolly(camera(), 30, 1));
   const float far = glm::length(camera().eye - camera().target);
