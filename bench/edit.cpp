@@ -7,6 +7,7 @@
 #include <functional>
 #include <thread>
 
+#include "bench/moved.h"
 #include "bench/series.h"
 #include "engine/core/check.h"
 #include "engine/gpu/device.h"
@@ -69,6 +70,7 @@ class Bench {
   // The first look after each of many small moves, and how much brighter or darker it is than the finished picture.
   void measure_moves(const std::string& what, int rounds, const std::function<void(Project&, int round)>& edit) {
     Series first, back;
+    double shift = 0;
     for (int round = 0; round < rounds; ++round) {
       edit(project_, round);
       const Stopwatch watch;
@@ -79,14 +81,12 @@ class Bench {
       wait([&] { return session_.status().finished; });
       back.add(watch.stop());
       session_.copy_picture(finished);
-      shift_ = std::max(shift_, std::abs(mean_radiance(look) / mean_radiance(finished) - 1));
+      shift = std::max(shift, std::abs(mean_radiance(look) / mean_radiance(finished) - 1));
     }
     tell(what, uint64_t{kWidth} * kHeight, first, back);
-    report_.remark(
-        fmt::format("While the camera turns, the first looks are at most {:.1f} % brighter or darker than the "
-                    "finished pictures.",
-                    100 * shift_));
-    report_.data()["brightness_shift"] = shift_;
+    report_.remark(fmt::format("First looks, {}: at most {:.1f} % brighter or darker than the finished pictures.", what,
+                               100 * shift));
+    report_.data()["edits"].back()["brightness_shift"] = shift;
   }
 
  private:
@@ -128,7 +128,6 @@ class Bench {
   Report& report_;
   RenderSession session_;
   bool selected_ = false;
-  double shift_ = 0;
 };
 
 }  // namespace
@@ -182,8 +181,16 @@ Result<Report> bench_edit(gpu::Device& device, Project project, const EditBench&
     const float c = std::cos(0.01745f), s = std::sin(0.01745f);
     p.camera.eye = p.camera.target + vec3(c * arm.x + s * arm.z, arm.y, c * arm.z - s * arm.x);
   });
+  const float step = 0.002f * project.scene->parts[static_cast<size_t>(vamp)].bounds.radius();
+  bench.measure_moves("part moved", options.rounds, [&](Project& p, int round) {
+    p.parts[static_cast<size_t>(vamp)].place = {vec3(0, step * static_cast<float>(round + 1), 0), {}};
+  });
+  bench.measure_moves("part turned", options.rounds, [&](Project& p, int round) {
+    p.parts[static_cast<size_t>(vamp)].place = {{}, vec3(0.002f * static_cast<float>(round + 1), 0, 0)};
+  });
   bench.measure("everything again (another seed)", std::max(options.rounds / 4, 1),
                 [&](Project& p, int) { ++p.settings.seed; });
+  VAMP_CHECK_STATUS(measure_moved_parts(device, project, options.rounds, report));
   return report;
 }
 
