@@ -112,7 +112,6 @@ void Editor::prepare_device() {
   coming_device_ = std::async(std::launch::async, [this] {
     auto device = background_device(device_);
     if (device) tune_trace_paths(**device);
-    window_.wake();
     return device;
   });
 }
@@ -250,6 +249,7 @@ double Editor::wake_after() const {
   // Something refines: often while it visibly changes, less often later, so that the machine renders instead.
   const bool refining = session_ && !context_.paused && !context_.status.finished && context_.status.error.empty();
   if (refining) wait = std::min(wait, context_.status.samples < 16 ? 0.033 : 0.1);
+  if (coming_device_.valid()) wait = std::min(wait, 0.02);
   if (!documents_.empty() || !exports_.empty()) wait = std::min(wait, 0.1);
   // "Saved 12 s ago" goes on, signals are noticed.
   return std::min(wait, 0.5);

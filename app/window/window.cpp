@@ -323,7 +323,7 @@ void Window::run(const Hooks& hooks) {
     events.resized = false;
     s.settle = std::max(0, s.settle - 1);
     shown = draw_frame(hooks);
-    if (shown && hooks.shown) hooks.shown();
+    if (shown && !s.unshown && hooks.shown) hooks.shown();
     wake_at = hooks.wake_after ? std::max(0.0, hooks.wake_after()) : kIdle;
     if (ImGui::GetIO().WantTextInput) wake_at = std::min(wake_at, kCursor);
     wake_at = std::min(wake_at, kIdle);

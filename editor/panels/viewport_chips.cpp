@@ -50,10 +50,12 @@ void ViewportPanel::draw_chips(const PanelContext& context, ImVec2 low, ImVec2 s
   const ImVec2 corner(low.x + px(10), low.y + px(8));
   if (!context.status.error.empty()) {
     chip(corner, context.status.error, theme().error);
-  } else if (context.session != nullptr || context.status.samples > 0) {
+  } else if (context.status.samples > 0 || context.status.ms_per_sample > 0) {
     chip(corner, status_text(context.status), theme().text);
   } else {
-    chip(corner, "The renderer is starting", theme().dim);
+    // At the very first start the driver compiles for some seconds.
+    chip(corner, context.session == nullptr ? "The renderer is starting" : "The picture is being prepared",
+         theme().dim);
   }
   if (!over) return;
   const std::string text = pick_text(*context.document.project(), context.hover);

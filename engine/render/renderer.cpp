@@ -66,6 +66,8 @@ void Renderer::set_region(int picture_width, int picture_height, const Region& r
   tiles_ = tiles_from_the_middle(region.width, region.height);
   samples_.assign(tiles_.size(), 0);
   replay_.clear();
+  weights_.reset();
+  weight_memory_.clear();
   set_ = {};
   hits_ = {};
   if (project_) {

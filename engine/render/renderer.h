@@ -56,10 +56,10 @@ class Renderer {
   // Of the first project always.
   bool has_kernels_for(const Project& project);
 
-  // From now on set_project() makes no new tree where parts have moved far, which takes some ten frames' time, but goes
-  // on with the old one until make_tree(). Meanwhile the picture can be previewed and not refined, so that its samples
-  // are all of one tree: rays that hit two triangles in one place see the one that comes first in it.
-  // Where the device traces rays itself no other tree is ever wanted.
+  // From now on set_project() makes no new tree where parts have moved far, which takes some three frames' time, but
+  // goes on with the old one until make_tree(). Meanwhile the picture can be previewed and not refined, so that its
+  // samples are all of one tree: rays that hit two triangles in one place see the one that comes first in it. Where the
+  // device traces rays itself no other tree is ever wanted.
   void make_trees_later() { trees_later_ = true; }
   bool wants_tree() const { return placed_ && !key_.path.ray_queries && placed_->wants_tree(); }
   // Makes it whether it is wanted or not. Nothing of the picture may be in flight, and no sample be counted. Errors:

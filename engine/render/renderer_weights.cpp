@@ -190,6 +190,7 @@ void Renderer::recombine(const std::vector<double>& steps, Change& change) {
     WeightSums::Direction& direction = weights_->directions[k];
     const double step = (k < steps.size() ? steps[k] : 0) - direction.applied;
     if (step == 0 && k > 0) continue;
+    CHECK(direction.cleared);
     frame::TilePush push{};
     push.width = static_cast<uint32_t>(weights_->listed.size());
     push.height = 1;

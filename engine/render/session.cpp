@@ -267,13 +267,17 @@ class RenderSession::Impl {
 
   void take_project(std::shared_ptr<const Project> project, const std::string& reason) {
     const Result<Change> change = renderer_.set_project(project);
-    taken_ = Clock::now();
     if (!change) return refuse(change.error());
     refused_ = false;
     shown_.draw(project, renderer_);
     if (change->restarted && change->places_moved) shown_.forget_ids();
     if (change->restarted) restart(reason.empty() ? change->what : reason);
     if (change->reshaded > 0) begin_shading_again(reason.empty() ? change->what : reason, *change);
+    if (renderer_.wants_tree()) {
+      // An edit while there is no sample of the moved parts yet is seen in another first look.
+      wants_preview_ = true;
+      if (change->restarted) taken_ = Clock::now();
+    }
     const bool kept = !change->restarted && change->reshaded == 0;
     if ((change->recomposed || change->recombined > 0) && renderer_.region().width > 0) {
       goal_.forget_picture();
@@ -325,6 +329,8 @@ class RenderSession::Impl {
     const std::lock_guard lock(mutex_);
     status_.restart_reason = reason;
     status_.samples = 0;
+    status_.seconds = 0;
+    status_.noise = -1;
     status_.finished = false;
     status_.restarted_pixels =
         static_cast<uint64_t>(renderer_.region().width) * static_cast<uint64_t>(renderer_.region().height);
@@ -414,7 +420,8 @@ class RenderSession::Impl {
     }
     goal_.look(renderer_);
     finished_ = reached();
-    if (ids_stale_ && (finished_ || ids_drawn_ == renderer_.tile_count())) update_ids();
+    // Tiles that were passed over had none drawn.
+    if (ids_stale_ && (finished_ || !pass_whole_ || ids_drawn_ == renderer_.tile_count())) update_ids();
     std::vector<double> sorted(pass_ms_.begin(), pass_ms_.end());
     std::sort(sorted.begin(), sorted.end());
     {
@@ -481,7 +488,7 @@ class RenderSession::Impl {
   Goal goal_;
   std::deque<double> pass_ms_;
   Clock::time_point start_ = Clock::now(), pass_start_ = start_;
-  Clock::time_point taken_ = start_;  // when the last project came
+  Clock::time_point taken_ = start_;  // when parts moved last
 
   // What was asked for, and what is told; guarded by mutex_.
   std::shared_ptr<const Project> next_project_;
