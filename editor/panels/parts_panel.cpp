@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "editor/model/edits_scene.h"
 #include "editor/panels/apply_edit.h"
@@ -46,6 +47,7 @@ void PartsPanel::draw(PanelContext& context) {
   const float list = static_cast<float>(project->parts.size()) * line + px(6);
   const bool rows = context.selection.part >= 0;
   const float height = rows ? std::min(list, std::max(room - px(kRowsHeight), room * 0.5f)) : room;
+  resized_ = std::exchange(height_, height) != height;
   if (ImGui::BeginChild("list", ImVec2(0, std::max(height, 3 * line)))) draw_table(context);
   ImGui::EndChild();
   if (context.selection.part >= 0) draw_part(context, context.selection.part);
@@ -74,7 +76,8 @@ void PartsPanel::draw_table(PanelContext& context) {
         context.selection = select_part(*project, i);
         ImGui::OpenPopup("##menu");
       }
-      if (selected && shown_ != i) ImGui::SetScrollHereY();  // it was selected in the picture
+      // It was selected in the picture, or the list has become shorter to make room for its rows.
+      if (selected && (shown_ != i || resized_)) ImGui::SetScrollHereY();
       if (icon_button("##eye", part.visible ? Icon::eye : Icon::eye_closed,
                       part.visible ? "Hide the part" : "Show the part", part.visible)) {
         context.document.edit(show_part(*project, i, !part.visible));

@@ -15,7 +15,9 @@ class PartsPanel {
   void draw_notes(const Scene& scene);
   void draw_part(PanelContext& context, int part);
   std::string search_;
-  int shown_ = -1;  // the part that the table has scrolled to
+  int shown_ = -1;    // the part that the table has scrolled to
+  float height_ = 0;  // of the table
+  bool resized_ = false;
   bool place_open_ = true;
 };
 
