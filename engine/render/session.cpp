@@ -223,7 +223,8 @@ class RenderSession::Impl {
     return has_kernels;
   }
 
-  // What is most wanted, a tile or some 10 ms of it.
+  // What is most wanted, a tile or some 10 ms of it; a new tree takes longer, and comes when nothing was moved for a
+  // while.
   void work() {
     if (refused_ || renderer_.region().width == 0) return;
     if (std::exchange(wants_preview_, false)) return answer(renderer_.preview(preview_stride()));
