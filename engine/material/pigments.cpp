@@ -17,7 +17,7 @@ namespace {
 
 // How much a cluster's map of colours is drawn to that of all clusters, to what is said of each named colour, and to a
 // mere factor where all these leave it open: shares of the sums of squares. Measured by `vamp bench edits`.
-constexpr double kToAll = 1e-2, kToNamed = 1, kToFactor = 1e-4;
+constexpr double kToAll = 1e-2, kToNamed = 1, kToFactor = 1e-5;
 
 // Colours as non-negative mixtures of others. With non-negative amounts, some three colours or fewer are always as near
 // as all (Caratheodory), and those are solved in advance: each set is a matrix.

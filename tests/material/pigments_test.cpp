@@ -77,7 +77,7 @@ Difference difference(const Spmm& a, const Spmm& b) {
 
 // The map of colours is drawn a little to a mere factor: less than a hundredth of the weights, and more of the residual,
 // which has colours that the weights of such a small material leave open.
-constexpr double kExact = 0.01, kNear = 0.03;
+constexpr double kExact = 2e-3, kNear = 0.03;
 
 TEST(Pigments, OfAMixtureOneColourIsExchangedInWeightsAndResidual) {
   const Spmm before = mixed({kBrown, kMoss, kWhite}), after = mixed({kNavy, kMoss, kWhite});
